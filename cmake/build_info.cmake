@@ -1,0 +1,18 @@
+# Writes OUTPUT with the commit that SOURCE stands at; left alone when nothing changed, so nothing is rebuilt.
+find_package(Git QUIET)
+set(commit "unknown")
+if(GIT_FOUND)
+  execute_process(COMMAND ${GIT_EXECUTABLE} describe --always --abbrev=12 --dirty --exclude=* WORKING_DIRECTORY ${SOURCE}
+                  OUTPUT_VARIABLE described OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE status)
+  if(status EQUAL 0)
+    set(commit "${described}")
+  endif()
+endif()
+set(text "// Made by cmake/build_info.cmake.\n#include \"run/build_info.hpp\"\n\nnamespace kreisel::build_info {\n\nconst char* const version = \"${VERSION}\";\nconst char* const commit = \"${commit}\";\nconst char* const compiler = \"${COMPILER}\";\nconst char* const build_type = \"${BUILD_TYPE}\";\n\n}  // namespace kreisel::build_info\n")
+set(old "")
+if(EXISTS "${OUTPUT}")
+  file(READ "${OUTPUT}" old)
+endif()
+if(NOT old STREQUAL text)
+  file(WRITE "${OUTPUT}" "${text}")
+endif()

@@ -1,0 +1,31 @@
+# Writes OUTPUT, a C++ file that defines kreisel::device::kernel_source() for every FOLDER/*.cl.
+# `#include "name.h"` of a header in FOLDER is replaced by its text, so the binary needs no files.
+file(GLOB headers ${FOLDER}/*.h)
+file(GLOB kernels ${FOLDER}/*.cl)
+list(SORT kernels)
+
+function(inlined path result)
+  file(READ "${path}" text)
+  # Headers include headers: as many rounds as there are headers always suffices; guards end repeats.
+  foreach(round ${headers})
+    foreach(header ${headers})
+      get_filename_component(name "${header}" NAME)
+      file(READ "${header}" body)
+      string(REPLACE "#include \"${name}\"" "${body}" text "${text}")
+    endforeach()
+    string(FIND "${text}" "#include \"" left)
+    if(left EQUAL -1)
+      break()
+    endif()
+  endforeach()
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()
+
+set(code "// Made from kernels/*.cl by cmake/embed_kernels.cmake.\n#include \"device/kernel_source.hpp\"\n\nnamespace kreisel::device {\n\nconst std::vector<KernelSource>& kernel_sources() {\n  static const std::vector<KernelSource> all = {\n")
+foreach(kernel ${kernels})
+  get_filename_component(stem "${kernel}" NAME_WE)
+  inlined("${kernel}" text)
+  string(APPEND code "    {\"${stem}\", R\"__cl__(${text})__cl__\"},\n")
+endforeach()
+string(APPEND code "  };\n  return all;\n}\n\n}  // namespace kreisel::device\n")
+file(WRITE "${OUTPUT}" "${code}")

@@ -1,0 +1,39 @@
+// commands.hpp - what `bench` can do; main.cpp parses, each command prints. All return an exit code.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "run/config.hpp"
+
+namespace kreisel::bench {
+
+/// 0 done, 2 bad input or use, 3 infeasible problem, 4 solver did not converge, 130 interrupted.
+enum ExitCode : int { done = 0, bad_input = 2, infeasible = 3, not_converged = 4, was_interrupted = 130 };
+
+struct OnceOptions {
+  RunConfig config;
+  std::string json_file, mesh_file, record_file;  ///< empty: not written; json "-" is standard output
+};
+int run_once(const OnceOptions& options);
+
+struct ExperimentOptions {
+  std::string name;  ///< a path, or the name of an experiment that comes with the program
+  std::string results = "results/runs";
+  std::string csv_file;  ///< the tables as CSV, too
+  std::string device;
+  bool force = false, dry_run = false;
+};
+int run_experiment(const ExperimentOptions& options);
+
+/// Prints records, or the table of an experiment whose runs they are.
+int show(const std::vector<std::string>& paths);
+
+/// Models, problems, formulations, solvers, experiments, and which solver works with which formulation.
+int list();
+
+/// Devices with what they say and what was measured. @param measure  false: only what they say
+int devices(bool measure, const std::string& only);
+
+}  // namespace kreisel::bench

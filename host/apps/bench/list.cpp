@@ -1,0 +1,43 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/bench/commands.hpp"
+#include "body/models.hpp"
+#include "experiment/experiment.hpp"
+#include "formulation/formulation.hpp"
+#include "problem/problem.hpp"
+#include "solve/solver.hpp"
+
+namespace kreisel::bench {
+namespace {
+
+void print_experiments() {
+  fmt::print("experiments (bench run NAME)\n");
+  for (const std::string& name : experiment_names()) fmt::print("  {}\n", name);
+}
+
+}  // namespace
+
+int list() {
+  fmt::print("models (--model NAME, or a mesh file)\n");
+  for (const Model& m : models()) fmt::print("  {:<12} {}\n", m.name, m.summary);
+  fmt::print("problems (--problem)\n");
+  for (const ProblemEntry& p : problems()) fmt::print("  {:<12} {}\n", p.name, p.summary);
+  fmt::print("formulations (--formulation)\n");
+  for (const FormulationEntry& f : formulations()) fmt::print("  {:<12} {}\n", f.name, f.summary);
+  fmt::print("solvers (--solver)\n");
+  for (const SolverEntry& s : solvers()) fmt::print("  {:<12} {}\n", s.name, s.summary);
+  fmt::print("which pairs work\n  {:<12}", "");
+  for (const SolverEntry& s : solvers()) fmt::print(" {:<8}", s.name);
+  for (const FormulationEntry& f : formulations()) {
+    fmt::print("\n  {:<12}", f.name);
+    for (const SolverEntry& s : solvers())
+      fmt::print(" {:<8}", std::ranges::find(s.formulations, f.name) != s.formulations.end() ? "yes" : "no");
+  }
+  fmt::print("\n");
+  print_experiments();
+  return done;
+}
+
+}  // namespace kreisel::bench

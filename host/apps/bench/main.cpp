@@ -1,0 +1,131 @@
+// main.cpp - `bench`: argument parsing only.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "apps/bench/commands.hpp"
+#include "device/device.hpp"
+#include "error.hpp"
+#include "run/build_info.hpp"
+#include "solve/interrupt.hpp"
+
+namespace {
+
+using kreisel::InputError;
+using namespace kreisel::bench;
+
+/// Fields of a run that have an option of their own: name, help.
+constexpr std::pair<const char*, const char*> fields[] = {
+    {"model", "a name of `bench list`, or a mesh file (STL, OBJ, OFF); default ellipsoid"},
+    {"problem", "what is asked; default spin"},
+    {"formulation", "how the interior is described; default rayrep"},
+    {"solver", "default ipopt"},
+    {"resolution", "cells along the longest side, or NXxNYxNZ; default 64"},
+    {"wall", "least wall: 1.5h (cells), 2% (of the longest side) or mm; default 1.5h"},
+    {"axis", "spin axis x,y,z in model coordinates; default up"},
+    {"contact", "a point of the axis, mm; default the lowest point along it"},
+    {"up", "up direction x,y,z; default the model's, else 0,0,1"},
+    {"size", "longest side in mm; default as the model is"},
+    {"density", "g/cm^3; default 1"},
+    {"fineness", "of a parametric model: about 20 n^2 triangles"},
+    {"device", "index or part of a name; default KREISEL_DEVICE, else a GPU, else PoCL"},
+    {"precision", "automatic or single (compensated)"},
+    {"repeat", "timed solves at most; default 1"},
+    {"budget", "seconds after which no further repetition starts; default 20"},
+};
+
+struct Parsed {
+  OnceOptions once;
+  ExperimentOptions experiment;
+  std::vector<std::pair<std::string, std::string>> given;  ///< field, text
+  std::vector<std::string> settings, paths;
+  std::string only_device;
+  bool no_measure = false;
+};
+
+void add_run_options(CLI::App& app, Parsed& parsed) {
+  for (const auto& [name, help] : fields)
+    app.add_option_function<std::string>(
+        fmt::format("--{}", name),
+        [&parsed, field = std::string(name)](const std::string& text) {
+          parsed.given.emplace_back(field, text);
+        },
+        help);
+  app.add_option("--set", parsed.settings,
+                 "GROUP.NAME=VALUE; groups: ipopt (any of its options), problem, formulation, solver")
+      ->allow_extra_args(false)
+      ->type_name("GROUP.NAME=VALUE");
+  app.add_option("--json", parsed.once.json_file, "write the result as JSON; - for standard output");
+  app.add_option("--mesh", parsed.once.mesh_file, "write the hollowed part as STL, mm");
+  app.add_option("--record", parsed.once.record_file, "write the whole run as HDF5");
+}
+
+void apply(Parsed& parsed) {
+  for (const auto& [field, text] : parsed.given) set_field(parsed.once.config, field, text);
+  for (const std::string& setting : parsed.settings) {
+    const auto equals = setting.find('=');
+    const auto dot = setting.find('.');
+    if (equals == std::string::npos || dot == std::string::npos || dot > equals)
+      throw InputError(fmt::format("--set {}; expected GROUP.NAME=VALUE", setting));
+    set_field(parsed.once.config, setting.substr(0, equals), setting.substr(equals + 1));
+  }
+}
+
+int dispatch(int argc, char** argv) {
+  CLI::App app("Kreisel: where must material go inside a shape so that it spins, stands or floats?", "bench");
+  app.set_version_flag(
+      "--version", fmt::format("kreisel {} ({})", kreisel::build_info::version, kreisel::build_info::commit));
+  app.require_subcommand(0, 1);
+  Parsed parsed;
+  add_run_options(app, parsed);
+
+  CLI::App* experiment =
+      app.add_subcommand("run", "run an experiment (TOML) and print its table; finished runs are skipped");
+  experiment->add_option("experiment", parsed.experiment.name, "a file, or the name of one of `bench list`")
+      ->required();
+  experiment->add_option("--results", parsed.experiment.results, "folder of the records")
+      ->capture_default_str();
+  experiment->add_option("--csv", parsed.experiment.csv_file, "write the table as CSV, too");
+  experiment->add_option("--device", parsed.experiment.device, "as above, for every run");
+  experiment->add_flag("--force", parsed.experiment.force, "run finished runs again");
+  experiment->add_flag("--dry-run", parsed.experiment.dry_run, "say what would run");
+  CLI::App* shown = app.add_subcommand("show", "print records");
+  shown->add_option("records", parsed.paths, "HDF5 files, or folders of them")->required();
+  CLI::App* listed =
+      app.add_subcommand("list", "models, problems, formulations, solvers, experiments; which pairs work");
+  CLI::App* probed = app.add_subcommand("devices", "OpenCL devices, with measured bandwidth and flop rate");
+  probed->add_flag("--no-measure", parsed.no_measure, "only what they say of themselves");
+  probed->add_option("--device", parsed.only_device, "only this one");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    throw InputError(fmt::format("{} (bench --help lists the options)", error.what()));
+  }
+  if (*experiment) return run_experiment(parsed.experiment);
+  if (*shown) return show(parsed.paths);
+  if (*listed) return list();
+  if (*probed) return devices(!parsed.no_measure, parsed.only_device);
+  if (argc == 1) {
+    fmt::print("{}", app.help());
+    return done;
+  }
+  apply(parsed);
+  return run_once(parsed.once);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kreisel::catch_interrupts();
+  try {
+    return dispatch(argc, argv);
+  } catch (const InputError& error) {
+    fmt::print(stderr, "bench: {}\n", error.what());
+    return bad_input;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "bench: internal error: {}\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/bench/commands.hpp"
+#include "error.hpp"
+#include "record/record.hpp"
+#include "run/pipeline.hpp"
+
+namespace kreisel::bench {
+namespace {
+
+void print_result(const RunResult& r, const TriangleMesh& outer) {
+  const Outcome& o = r.outcome;
+  const Vec3 size = bounding_box(outer).extent();
+  const Eigen::Vector3d c = centre_of_mass(r.rounding.moments) * r.length_mm;
+  fmt::print("{}: {} by {} with {} on {}{}\n", r.body_name, r.config.problem, r.config.formulation,
+             r.config.solver, r.provenance.device,
+             r.provenance.single_precision ? " (single precision, compensated)" : "");
+  fmt::print(
+      "  body       {:.1f} x {:.1f} x {:.1f} mm, {:.2f} g solid; axis {:.4g},{:.4g},{:.4g} through "
+      "{:.2f},{:.2f},{:.2f}\n",
+      size[0], size[1], size[2], r.solid_mass_grams, r.axis[0], r.axis[1], r.axis[2], r.contact[0],
+      r.contact[1], r.contact[2]);
+  fmt::print("  domain     columns {} x {} x {} of {:.3f} mm, wall {} = {:.2f} mm: {} rays, {} voxels\n",
+             r.grid.n[0], r.grid.n[1], r.grid.n[2], r.grid.h * r.length_mm, to_string(r.config.wall),
+             r.wall * r.length_mm, r.rays, r.interior_voxels);
+  fmt::print("  solve      {} ({}), {} iterations, {} variables\n", to_string(o.termination), o.message,
+             o.iterations, r.variables);
+  fmt::print("  time       {:.3f} s solve ({:.3f} s in kernels), {:.3f} s set-up; median of {}\n",
+             r.median.solve, r.median.kernels, r.median.setup, r.samples.size());
+  fmt::print("  objective  {:.6f} (the solid body: {:.6f}); violation {:.1e}\n", o.objective,
+             r.solid_objective, o.violation);
+  fmt::print(
+      "  rounded    {:.6f}; violation {:.1e}; {} of {} voxels void, {} filled to keep the surface a "
+      "manifold\n",
+      r.rounding.objective, r.rounding.violation, r.rounding.void_voxels, r.interior_voxels,
+      r.rounding.mended_voxels);
+  fmt::print("  part       {:.2f} g, centre of mass {:.3f},{:.3f},{:.3f} mm in the spin frame\n",
+             r.rounding.moments[S1] * r.mass_unit_grams, c[0], c[1], c[2]);
+  fmt::print("  verified   {}\n", r.verified.verdict.text);
+  if (!r.verified.file.empty())
+    fmt::print("  written    {} ({} triangles, {} of them around voids)\n", r.verified.file,
+               r.verified.triangles, r.verified.void_triangles);
+}
+
+int exit_code(Termination termination) {
+  switch (termination) {
+    case Termination::optimal:
+    case Termination::acceptable:
+      return done;
+    case Termination::infeasible:
+      return infeasible;
+    case Termination::interrupted:
+      return was_interrupted;
+    case Termination::failed:
+      break;
+  }
+  return not_converged;
+}
+
+}  // namespace
+
+int run_once(const OnceOptions& options) {
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const auto progress = [terminal](const std::string& step) {
+    if (terminal) fmt::print(stderr, "\r\033[K{} ...", step);
+  };
+  const RunOutput output = run(options.config, options.mesh_file, progress);
+  if (terminal) fmt::print(stderr, "\r\033[K");
+  const RunResult& result = output.result;
+  if (!options.record_file.empty()) write_record(options.record_file, result);
+  const std::string json = to_json(result).dump(2) + "\n";
+  if (options.json_file == "-") {
+    fmt::print("{}", json);  // alone on standard output, for a pipe
+  } else {
+    if (!options.json_file.empty()) write_text(options.json_file, json);
+    print_result(result, output.outer);
+  }
+  return exit_code(result.outcome.termination);
+}
+
+}  // namespace kreisel::bench

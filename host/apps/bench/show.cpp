@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "apps/bench/commands.hpp"
+#include "error.hpp"
+#include "record/record.hpp"
+
+namespace kreisel::bench {
+namespace {
+
+std::vector<std::filesystem::path> records_in(const std::string& path) {
+  if (!std::filesystem::exists(path))
+    throw InputError(fmt::format("{}: no such file or folder; expected records", path));
+  if (!std::filesystem::is_directory(path)) return {path};
+  std::vector<std::filesystem::path> found;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path))
+    if (entry.path().extension() == ".h5") found.push_back(entry.path());
+  if (found.empty()) throw InputError(fmt::format("{}: no records (*.h5) in it", path));
+  std::ranges::sort(found);
+  return found;
+}
+
+void print(const RecordSummary& r) {
+  fmt::print("{}\n", r.path.string());
+  if (!r.error.empty()) {
+    fmt::print("  failed     {}\n", r.error);
+    return;
+  }
+  fmt::print("  run        {} {} x {} x {}, {} by {} with {}: {} rays, {} voxels, {} variables\n", r.model,
+             r.grid[0], r.grid[1], r.grid[2], r.problem, r.formulation, r.solver, r.rays, r.interior_voxels,
+             r.variables);
+  fmt::print("  solve      {} ({}), {} iterations, objective {:.6f}, violation {:.1e}\n", r.termination,
+             r.message, r.iterations, r.objective, r.violation);
+  fmt::print("  time       {:.3f} s solve ({:.3f} s in kernels), {:.3f} s set-up; median of {}\n",
+             r.median.solve, r.median.kernels, r.median.setup, r.samples.size());
+  fmt::print("  rounded    objective {:.6f}, violation {:.1e}, {} voxels mended\n", r.rounded_objective,
+             r.rounded_violation, r.mended_voxels);
+  fmt::print("  verified   {}\n", r.verified_text);
+  fmt::print("  made       {} by {} on {}\n", r.started, r.commit, r.device);
+  fmt::print("  config    ");
+  for (const auto& [key, value] : r.config) fmt::print(" {}={}", key, value);
+  fmt::print("\n");
+}
+
+}  // namespace
+
+int show(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths)
+    for (const std::filesystem::path& record : records_in(path)) print(read_record(record));
+  return done;
+}
+
+}  // namespace kreisel::bench

@@ -1,0 +1,99 @@
+#include "body/body.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "body/mesh_moments.hpp"
+#include "body/models.hpp"
+#include "error.hpp"
+#include "mesh/check.hpp"
+#include "mesh/read.hpp"
+
+namespace kreisel {
+namespace {
+
+struct Source {
+  TriangleMesh mesh;
+  const Model* model = nullptr;  ///< nullptr: from a file
+};
+
+Source load(const BodySpec& spec) {
+  if (const Model* model = find_model(spec.model)) {
+    if (spec.fineness < 0)
+      throw InputError(fmt::format("fineness {} of model '{}'; expected >= 1", spec.fineness, spec.model));
+    return {model->make(spec.fineness ? spec.fineness : model->default_fineness), model};
+  }
+  const std::filesystem::path path(spec.model);
+  if (!path.has_extension() && !std::filesystem::exists(path)) {
+    std::string names;
+    for (const Model& m : models()) names += fmt::format("{}{}", names.empty() ? "" : ", ", m.name);
+    throw InputError(fmt::format("model '{}' is neither a known name ({}) nor a file", spec.model, names));
+  }
+  return {read_mesh(path), nullptr};
+}
+
+/// Mean of the vertices that are lowest along the axis: a flat base gives its middle, a tip gives itself.
+Vec3 lowest_point(const TriangleMesh& mesh, const Vec3& axis) {
+  double low = mesh.vertices.front().dot(axis), high = low;
+  for (const Vec3& v : mesh.vertices) {
+    low = std::min(low, v.dot(axis));
+    high = std::max(high, v.dot(axis));
+  }
+  Vec3 sum = Vec3::Zero();
+  int count = 0;
+  for (const Vec3& v : mesh.vertices)
+    if (v.dot(axis) <= low + 1e-9 * (high - low)) {
+      sum += v;
+      ++count;
+    }
+  return sum / count;
+}
+
+Vec3 direction(const Vec3& v, const char* option) {
+  if (!v.allFinite() || v.norm() == 0)
+    throw InputError(
+        fmt::format("{} {},{},{} has no direction; expected a non-zero vector", option, v[0], v[1], v[2]));
+  return v.normalized();
+}
+
+}  // namespace
+
+Body make_body(const BodySpec& spec, device::Device& device) {
+  if (!(spec.density > 0) || !std::isfinite(spec.density))
+    throw InputError(fmt::format("density {} g/cm^3; expected > 0", spec.density));
+  if (spec.size && (!(*spec.size > 0) || !std::isfinite(*spec.size)))
+    throw InputError(fmt::format("size {} mm; expected > 0", *spec.size));
+
+  Source source = load(spec);
+  require_solid(source.mesh, spec.model);
+
+  Body body;
+  body.name =
+      source.model ? std::string(source.model->name) : std::filesystem::path(spec.model).stem().string();
+  body.density = spec.density;
+  const double scale = spec.size ? *spec.size / bounding_box(source.mesh).extent().maxCoeff() : 1.0;
+  for (Vec3& v : source.mesh.vertices) v *= scale;
+  body.mesh = std::move(source.mesh);
+
+  const Vec3 up = spec.up        ? direction(*spec.up, "--up")
+                  : source.model ? source.model->axis
+                                 : Vec3(Vec3::UnitZ());
+  body.axis = spec.axis ? direction(*spec.axis, "--axis") : up.normalized();
+  // A contact point given by hand is in the coordinates of the file as it is written out, after --size.
+  body.contact = spec.contact                            ? *spec.contact
+                 : source.model && source.model->contact ? Vec3(scale * *source.model->contact)
+                                                         : lowest_point(body.mesh, body.axis);
+  if (!body.contact.allFinite()) throw InputError("--contact is not finite; expected three numbers, mm");
+
+  const Moments about_origin = mesh_moments(body.mesh, device);
+  body.frame = {axis_to_z(body.axis), body.contact, std::cbrt(about_origin[S1])};
+  body.local = to_body(body.frame, body.mesh);
+  body.solid = mesh_moments(body.local, device);
+  return body;
+}
+
+MassModel hollowed(const Body& body, const Moments& interior) { return {body.solid - interior, 1.0}; }
+
+}  // namespace kreisel

@@ -1,0 +1,57 @@
+// body.hpp - a solid in its frame, with everything about it that is not designed.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "body/frame.hpp"
+#include "body/moments.hpp"
+#include "device/device.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace kreisel {
+
+/// What the user says of a body; what is left out comes from the model, else from the defaults named here.
+struct BodySpec {
+  std::string model = "ellipsoid";  ///< a name of models(), or a mesh file
+  std::optional<Vec3> axis;         ///< spin axis, model coordinates; default `up`
+  std::optional<Vec3> up;           ///< default the model's axis, else +z
+  std::optional<Vec3> contact;  ///< a point of the axis; default the model's, else the lowest point along it
+  std::optional<double> size;   ///< longest side of the bounding box, mm; default as the model is
+  double density = 1.0;         ///< g/cm^3, > 0
+  int fineness = 0;             ///< of a parametric model; 0: the model's own default
+};
+
+/// A solid of uniform density. Body units: lengths in L = V^(1/3), masses in the solid's own mass.
+struct Body {
+  std::string name;
+  TriangleMesh mesh;   ///< model coordinates, mm
+  TriangleMesh local;  ///< the same in the body frame, body units
+  Frame frame;
+  Vec3 axis, contact;    ///< as used, model coordinates
+  double density = 1.0;  ///< g/cm^3
+  Moments solid;         ///< of the whole solid, body frame and units; solid[S1] = 1 up to round-off
+
+  [[nodiscard]] double mass_grams() const {
+    return density * frame.length * frame.length * frame.length * 1e-3;
+  }
+};
+
+/// Reads or makes the model, checks it, lays its frame and integrates its moments on the device.
+///
+/// @throws InputError  unknown model, unreadable or unfit mesh, zero axis, size or density <= 0
+[[nodiscard]] Body make_body(const BodySpec& spec, device::Device& device);
+
+/// Total moments from the designed part alone: s = fixed + contrast * s_domain, in body units.
+/// The one place where shell, fill and void come together.
+struct MassModel {
+  Moments fixed = Moments::Zero();  ///< shell, and the interior at the density of the void
+  double contrast = 1;              ///< rho_fill - rho_void, in solid densities
+
+  [[nodiscard]] Moments total(const Moments& domain) const { return fixed + contrast * domain; }
+};
+
+/// @param interior  moments of the whole domain at unit density: what can be hollowed
+[[nodiscard]] MassModel hollowed(const Body& body, const Moments& interior);
+
+}  // namespace kreisel

@@ -1,0 +1,76 @@
+#include "body/mesh_moments.hpp"
+
+#include <Eigen/Geometry>
+#include <stdexcept>
+#include <vector>
+
+#include "device/buffer.hpp"
+#include "device/program.hpp"
+#include "mesh_moments_params.h"
+
+namespace kreisel {
+
+Moments mesh_moments(const TriangleMesh& mesh, device::Device& device) {
+  if (mesh.triangles.empty()) return Moments::Zero();
+  const Box box = bounding_box(mesh);
+  const Vec3 middle = (box.lo + box.hi) / 2;
+  std::vector<double> vertices;
+  vertices.reserve(3 * mesh.vertices.size());
+  for (const Vec3& v : mesh.vertices)
+    for (int k = 0; k < 3; ++k) vertices.push_back(v[k] - middle[k]);
+
+  const device::RealBuffer vertex(device, vertices);
+  const cl::Buffer triangle =
+      device::upload_words(device, {mesh.triangles.front().data(), 3 * mesh.triangles.size()});
+  device::PartialRows rows(device, mesh.triangles.size());
+  cl::Kernel kernel(device::build(device, "mesh_moments"), "mesh_moments");
+  device::set_params<MeshParams>(device, kernel, 0, [&](auto& p) {
+    p.n = static_cast<int>(mesh.triangles.size());
+    p.block = rows.block();
+  });
+  kernel.setArg(1, vertex.handle());
+  kernel.setArg(2, triangle);
+  kernel.setArg(3, rows.handle());
+  device.run(kernel, rows.items(), device::PartialRows::work_group);
+  const auto sums = rows.join();
+  return transformed(Moments(sums.data()), Eigen::Matrix3d::Identity(), middle);
+}
+
+double mesh_moments_bound(const TriangleMesh& mesh, device::Device& device) {
+  return 40 * device.unit_roundoff() + device::PartialRows(device, mesh.triangles.size()).summation_bound();
+}
+
+namespace reference {
+
+MeshMoments mesh_moments(const TriangleMesh& mesh) {
+  MeshMoments sum{Moments::Zero(), Moments::Zero()};
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+    const double volume = a.dot(b.cross(c)) / 6;
+    const Vec3 total = a + b + c;
+    const auto second = [&](int i, int j) {
+      return (total[i] * total[j] + a[i] * a[j] + b[i] * b[j] + c[i] * c[j]) / 20;
+    };
+    Moments term;
+    term << 1, total / 4, second(0, 1), second(1, 2), second(0, 2), second(0, 0), second(1, 1), second(2, 2);
+    sum.value += volume * term;
+
+    // The determinant's own cancellation counts too, so its six products enter by absolute value.
+    const Vec3 ua = a.cwiseAbs(), ub = b.cwiseAbs(), uc = c.cwiseAbs(), ut = ua + ub + uc;
+    const double abs_volume =
+        (ua[0] * (ub[1] * uc[2] + ub[2] * uc[1]) + ua[1] * (ub[2] * uc[0] + ub[0] * uc[2]) +
+         ua[2] * (ub[0] * uc[1] + ub[1] * uc[0])) /
+        6;
+    const auto abs_second = [&](int i, int j) {
+      return (ut[i] * ut[j] + ua[i] * ua[j] + ub[i] * ub[j] + uc[i] * uc[j]) / 20;
+    };
+    Moments abs_term;
+    abs_term << 1, ut / 4, abs_second(0, 1), abs_second(1, 2), abs_second(0, 2), abs_second(0, 0),
+        abs_second(1, 1), abs_second(2, 2);
+    sum.abs_sum += abs_volume * abs_term;
+  }
+  return sum;
+}
+
+}  // namespace reference
+}  // namespace kreisel

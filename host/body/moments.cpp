@@ -1,0 +1,59 @@
+#include "body/moments.hpp"
+
+#include <cmath>
+
+namespace kreisel {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Second moments as a symmetric matrix, integral of x x^T.
+Matrix3d second(const Moments& s) {
+  Matrix3d q;
+  q << s[SXX], s[SXY], s[SXZ], s[SXY], s[SYY], s[SYZ], s[SXZ], s[SYZ], s[SZZ];
+  return q;
+}
+
+Moments assemble(double mass, const Vector3d& first, const Matrix3d& q) {
+  Moments s;
+  s << mass, first, q(0, 1), q(1, 2), q(0, 2), q(0, 0), q(1, 1), q(2, 2);
+  return s;
+}
+
+Matrix3d inertia_of(const Matrix3d& q) { return q.trace() * Matrix3d::Identity() - q; }
+
+}  // namespace
+
+Vector3d centre_of_mass(const Moments& s) { return s.segment<3>(SX) / s[S1]; }
+
+Matrix3d inertia(const Moments& s) { return inertia_of(second(s)); }
+
+Matrix3d inertia_about_centre(const Moments& s) {
+  const Vector3d first = s.segment<3>(SX);
+  return inertia_of(second(s) - first * first.transpose() / s[S1]);
+}
+
+Moments transformed(const Moments& s, const Matrix3d& R, const Vector3d& t) {
+  const Vector3d turned = R * s.segment<3>(SX);
+  Matrix3d q = R * second(s) * R.transpose();
+  q += turned * t.transpose() + t * turned.transpose() + s[S1] * t * t.transpose();
+  return assemble(s[S1], turned + s[S1] * t, q);
+}
+
+Moments scaled(const Moments& s, double length, double density) {
+  const double l3 = density * length * length * length;
+  Moments r = s * l3;
+  r.segment<3>(SX) *= length;
+  r.tail<6>() *= length * length;
+  return r;
+}
+
+Moments box_moments(const Vector3d& centre, const Vector3d& edges) {
+  const double volume = edges.prod();
+  Matrix3d q = volume * centre * centre.transpose();
+  q.diagonal() += volume / 12.0 * edges.cwiseAbs2();
+  return assemble(volume, volume * centre, q);
+}
+
+}  // namespace kreisel

@@ -1,0 +1,39 @@
+// moments.hpp - the ten numbers that every part of the project exchanges.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string_view>
+
+namespace kreisel {
+
+/// Ten integrals of a solid, s_t = rho * integral of t over the solid, in the order of MomentIndex.
+/// Units: density times length^3 (s1), length^4 (first moments), length^5 (second moments). [SpinIt, eq. 4]
+using Moments = Eigen::Matrix<double, 10, 1>;
+using Matrix10 = Eigen::Matrix<double, 10, 10>;
+
+/// Position of each moment in Moments; results, kernels and files keep this order.
+enum MomentIndex : int { S1, SX, SY, SZ, SXY, SYZ, SXZ, SXX, SYY, SZZ };
+
+inline constexpr std::array<std::string_view, 10> moment_names = {"s1",  "sx",  "sy",  "sz",  "sxy",
+                                                                  "syz", "sxz", "sxx", "syy", "szz"};
+
+/// Centre of mass. s1 must not be zero.
+[[nodiscard]] Eigen::Vector3d centre_of_mass(const Moments& s);
+
+/// Inertia tensor about the origin of the moments' frame. [SpinIt, eq. 4]
+[[nodiscard]] Eigen::Matrix3d inertia(const Moments& s);
+
+/// Inertia tensor about the centre of mass (parallel axis theorem).
+[[nodiscard]] Eigen::Matrix3d inertia_about_centre(const Moments& s);
+
+/// Moments of the same solid after x -> R x + t (R any 3x3 matrix of determinant +-1).
+[[nodiscard]] Moments transformed(const Moments& s, const Eigen::Matrix3d& R, const Eigen::Vector3d& t);
+
+/// Moments of the same solid after x -> length * x with its density times `density`.
+[[nodiscard]] Moments scaled(const Moments& s, double length, double density);
+
+/// Moments of a box with the given centre and edge lengths at unit density (closed form).
+[[nodiscard]] Moments box_moments(const Eigen::Vector3d& centre, const Eigen::Vector3d& edges);
+
+}  // namespace kreisel

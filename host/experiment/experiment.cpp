@@ -1,0 +1,242 @@
+#include "experiment/experiment.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "error.hpp"
+#include "experiment/data_folder.hpp"
+
+namespace kreisel {
+namespace fs = std::filesystem;
+namespace {
+
+struct Value {
+  std::string text;
+  unsigned line;
+};
+
+/// `key = value` of a table, its value a list of one or more.
+struct Assignment {
+  std::string key;
+  std::vector<Value> values;
+  toml::source_position at;
+};
+
+class Parser {
+ public:
+  Parser(std::string_view text, const fs::path& file) : file_(file.string()) {
+    experiment_.name = experiment_.title = file.stem().string();
+    try {
+      root_ = toml::parse(text);
+    } catch (const toml::parse_error& error) {
+      std::string what(error.description());
+      std::replace(what.begin(), what.end(), '\n', ' ');
+      fail(error.source().begin.line, fmt::format("{}, expected TOML", what));
+    }
+  }
+
+  Experiment parse() {
+    const toml::array* runs = nullptr;
+    ExperimentRun defaults;
+    std::vector<Assignment> common;
+    for (auto&& [key, node] : root_) {
+      const unsigned line = key.source().begin.line;
+      if (key == "title") {
+        experiment_.title = string_of(key.str(), node, line);
+      } else if (key == "published") {
+        experiment_.published = string_of(key.str(), node, line);
+      } else if (key == "table") {
+        experiment_.table = table_of(node, line);
+      } else if (key == "run") {
+        runs = node.as_array();
+        if (!runs || !runs->is_homogeneous(toml::node_type::table))
+          fail(line, "'run' is not a table of its own, expected [[run]]");
+      } else {
+        read(key, node, defaults, common);
+      }
+    }
+    if (!runs) fail(root_.source().end.line, "no run, expected at least one [[run]] table");
+    for (const toml::node& table : *runs) {
+      ExperimentRun run = defaults;
+      std::vector<Assignment> own;
+      for (auto&& [key, node] : *table.as_table()) read(key, node, run, own);
+      multiply_out(run, merged(common, own));
+    }
+    return std::move(experiment_);
+  }
+
+ private:
+  [[noreturn]] void fail(unsigned line, const std::string& what) const {
+    throw InputError(fmt::format("{}: line {}: {}", file_, line, what));
+  }
+
+  std::string string_of(std::string_view key, const toml::node& node, unsigned line) const {
+    const auto value = node.value_exact<std::string>();
+    if (!value) fail(line, fmt::format("{} is not text, expected a string in quotes", key));
+    return *value;
+  }
+
+  Experiment::Table table_of(const toml::node& node, unsigned line) const {
+    const std::string text = string_of("table", node, line);
+    if (text == "runs") return Experiment::Table::runs;
+    if (text == "speedup") return Experiment::Table::speedup;
+    fail(line, fmt::format("table = '{}', expected runs or speedup", text));
+  }
+
+  /// One key of the top level or of a run.
+  void read(const toml::key& key, const toml::node& node, ExperimentRun& run,
+            std::vector<Assignment>& into) const {
+    const toml::source_position at = key.source().begin;
+    if (key == "label") {
+      run.label = string_of("label", node, at.line);
+    } else if (key == "mesh") {
+      const auto value = node.value_exact<bool>();
+      if (!value) fail(at.line, "mesh is not a boolean, expected true or false");
+      run.mesh = *value;
+    } else if (key == "set") {
+      if (!node.is_table()) fail(at.line, "'set' is not a table, expected set.GROUP.NAME = value");
+      flatten("", *node.as_table(), into);
+    } else if (key.str().find('.') != std::string_view::npos) {
+      fail(at.line, fmt::format("setting '{}' outside 'set', expected set.{}", key.str(), key.str()));
+    } else {
+      into.push_back({std::string(key.str()), values_of(key.str(), node, at.line), at});
+    }
+  }
+
+  /// [run.set]: nested tables and dotted names mean the same.
+  void flatten(const std::string& prefix, const toml::table& table, std::vector<Assignment>& into) const {
+    for (auto&& [key, node] : table) {
+      const std::string name = prefix + std::string(key.str());
+      const toml::source_position at = key.source().begin;
+      if (const toml::table* inner = node.as_table()) {
+        flatten(name + '.', *inner, into);
+      } else if (name.find('.') == std::string::npos) {
+        fail(at.line, fmt::format("setting '{}' without a group, expected set.GROUP.NAME = value", name));
+      } else {
+        into.push_back({name, values_of(name, node, at.line), at});
+      }
+    }
+  }
+
+  std::vector<Value> values_of(std::string_view key, const toml::node& node, unsigned line) const {
+    const toml::array* list = node.as_array();
+    if (!list) return {{text_of(key, node, line), line}};
+    if (list->empty()) fail(line, fmt::format("{} is an empty list, expected at least one value", key));
+    std::vector<Value> values;
+    for (const toml::node& item : *list) {
+      const unsigned at = item.source().begin.line;
+      values.push_back({text_of(key, item, at), at});
+    }
+    return values;
+  }
+
+  std::string text_of(std::string_view key, const toml::node& node, unsigned line) const {
+    if (const auto* text = node.as_string()) return text->get();
+    if (const auto* whole = node.as_integer()) return fmt::format("{}", whole->get());
+    if (const auto* real = node.as_floating_point()) return fmt::format("{}", real->get());
+    if (const auto* yes = node.as_boolean()) return yes->get() ? "yes" : "no";  // as Ipopt writes its flags
+    fail(line,
+         fmt::format("{} is a table, list of lists or date, expected a string, number or boolean", key));
+  }
+
+  /// What a run says replaces the default of that key. In the order of the file: toml++ sorts by name.
+  static std::vector<Assignment> merged(const std::vector<Assignment>& common,
+                                        const std::vector<Assignment>& own) {
+    std::vector<Assignment> all = own;
+    for (const Assignment& candidate : common)
+      if (std::none_of(own.begin(), own.end(), [&](const auto& mine) { return mine.key == candidate.key; }))
+        all.push_back(candidate);
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.at.line, a.at.column) < std::pair(b.at.line, b.at.column);
+    });
+    return all;
+  }
+
+  /// Counts through the lists like an odometer, the last one fastest.
+  void multiply_out(const ExperimentRun& base, const std::vector<Assignment>& assignments) {
+    std::vector<std::size_t> choice(assignments.size(), 0);
+    while (true) {
+      ExperimentRun run = base;
+      for (std::size_t i = 0; i < assignments.size(); ++i) apply(run, assignments[i], choice[i]);
+      experiment_.runs.push_back(std::move(run));
+      std::size_t turn = assignments.size();
+      while (turn > 0 && ++choice[turn - 1] == assignments[turn - 1].values.size()) choice[--turn] = 0;
+      if (turn == 0) return;
+    }
+  }
+
+  void apply(ExperimentRun& run, const Assignment& assignment, std::size_t choice) const {
+    const Value& value = assignment.values[choice];
+    try {
+      set_field(run.config, assignment.key, value.text);
+    } catch (const InputError& error) {
+      fail(value.line, error.what());
+    }
+  }
+
+  std::string file_;
+  toml::table root_;
+  Experiment experiment_;
+};
+
+/// The file as given, with ".toml" added to a bare name.
+std::string with_extension(const std::string& name) {
+  return name.ends_with(".toml") ? name : name + ".toml";
+}
+
+/// Folders with experiments, nearest first. Without a data folder only those here are found.
+std::vector<fs::path> experiment_folders() {
+  std::vector<fs::path> folders{"experiments"};
+  try {
+    folders.push_back(data_folder() / "experiments");
+  } catch (const InputError&) {
+    // The message about the experiment that was asked for says more.
+  }
+  return folders;
+}
+
+}  // namespace
+
+Experiment parse_experiment(std::string_view text, const fs::path& file) {
+  return Parser(text, file).parse();
+}
+
+Experiment read_experiment(const fs::path& file) {
+  std::error_code ignored;
+  std::ifstream stream(file, std::ios::binary);
+  if (!fs::is_regular_file(file, ignored) || !stream)
+    throw InputError(fmt::format("{}: cannot be read, expected an experiment in TOML", file.string()));
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  return parse_experiment(text, file);
+}
+
+fs::path find_experiment(const std::string& name_or_path) {
+  std::error_code ignored;
+  if (fs::is_regular_file(name_or_path, ignored)) return name_or_path;
+  if (!name_or_path.empty() && name_or_path.find('/') == std::string::npos)
+    for (const fs::path& folder : experiment_folders())
+      if (fs::path file = folder / with_extension(name_or_path); fs::is_regular_file(file, ignored))
+        return file;
+  const auto names = experiment_names();
+  throw InputError(fmt::format("experiment '{}': no such file, expected a TOML file{}", name_or_path,
+                               names.empty() ? "" : fmt::format(" or one of {}", fmt::join(names, ", "))));
+}
+
+std::vector<std::string> experiment_names() {
+  std::vector<std::string> names;
+  for (const fs::path& folder : experiment_folders()) {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+      if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+}  // namespace kreisel

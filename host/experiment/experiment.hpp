@@ -1,0 +1,54 @@
+// experiment.hpp - a table or figure as data: which runs, and how to print them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "run/config.hpp"
+
+namespace kreisel {
+
+/// One run of an experiment.
+struct ExperimentRun {
+  RunConfig config;
+  std::string label;  ///< names the group of settings it belongs to, e.g. "paper"; may be empty
+  bool mesh = false;  ///< keep the printable mesh beside the record
+};
+
+/// A parsed experiment file.
+struct Experiment {
+  enum class Table { runs, speedup };
+
+  std::string name;   ///< stem of the file; the folder of its records
+  std::string title;  ///< one line; the name when the file gives none
+  Table table = Table::runs;
+  std::string published;  ///< published numbers to print beside ours, see published_file(); may be empty
+  std::vector<ExperimentRun> runs;
+};
+
+/// Reads an experiment. Top-level keys are defaults of every run, `[[run]]` tables override them key by key,
+/// and lists multiply out: the key that comes first in the file varies slowest.
+///
+///     title, table ("runs" or "speedup"), published      of the experiment, top level only
+///     label, mesh                                        of a run, never lists
+///     every key of set_field() except GROUP.NAME         a string, number or boolean (written yes or no)
+///     set.GROUP.NAME or set."GROUP.NAME"                 solver, problem and formulation settings
+///
+/// @param file  for messages, and its stem for the name
+/// @throws InputError  "FILE: line N: what, expected ...": bad TOML, unknown key, unfit value, no run
+[[nodiscard]] Experiment parse_experiment(std::string_view text, const std::filesystem::path& file);
+
+/// @throws InputError  unreadable file, or as parse_experiment()
+[[nodiscard]] Experiment read_experiment(const std::filesystem::path& file);
+
+/// The file of an experiment: the path itself, else experiments/NAME.toml here, else in data_folder().
+///
+/// @throws InputError  none of them; lists the names there are
+[[nodiscard]] std::filesystem::path find_experiment(const std::string& name_or_path);
+
+/// Names that find_experiment() accepts, sorted.
+[[nodiscard]] std::vector<std::string> experiment_names();
+
+}  // namespace kreisel

@@ -1,0 +1,75 @@
+// progress.hpp - one updating line on a terminal while an experiment runs.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "run/config.hpp"
+
+namespace kreisel {
+
+/// Guesses how long runs take from those that are over.
+class Estimate {
+ public:
+  void finished(const RunConfig& config, double seconds);
+
+  /// Seconds of a run still to come; empty before the first one is over.
+  [[nodiscard]] std::optional<double> seconds(const RunConfig& config) const;
+
+ private:
+  struct Spent {
+    double seconds = 0, weight = 0;
+  };
+  std::map<std::string, Spent> by_formulation_;
+  Spent all_;
+};
+
+/// "12 s", "3 min", "2 h 05 min".
+[[nodiscard]] std::string duration_text(double seconds);
+
+/// Draws "[3/28] ellipsoid 80x52x51 voxel ipopt: step ... 12 s, about 3 min left" once a second, and a line
+/// for each run that is over. Writes nothing at all when `out` is not a terminal.
+class ProgressLine {
+ public:
+  /// @param runs  what will run, in order
+  ProgressLine(std::FILE* out, std::vector<RunConfig> runs);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void begin(std::size_t index);
+  void step(const std::string& text);
+  /// The run that began last is over, well or not; returns its wall seconds.
+  double end();
+  /// A line that stays. Only on a terminal.
+  void note(const std::string& line);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void tick(const std::stop_token& stop);
+  void draw();
+  void erase();
+  [[nodiscard]] double elapsed() const;
+  [[nodiscard]] std::string left() const;
+
+  std::FILE* out_;
+  bool terminal_;
+  std::vector<RunConfig> runs_;
+  Estimate estimate_;
+  std::mutex mutex_;  ///< guards everything below, and the terminal
+  std::condition_variable_any wake_;
+  std::size_t index_ = 0;
+  bool running_ = false;
+  Clock::time_point began_{};
+  std::string step_;
+  std::jthread ticker_;  ///< last: joined before the rest goes
+};
+
+}  // namespace kreisel

@@ -1,0 +1,51 @@
+#include "experiment/published.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "error.hpp"
+
+namespace kreisel {
+namespace {
+
+std::optional<PublishedRow::Side> side(const nlohmann::json& row, const char* name) {
+  if (!row.contains(name)) return std::nullopt;
+  const auto& found = row.at(name);
+  return PublishedRow::Side{found.at("variables").get<int>(), found.at("seconds").get<double>()};
+}
+
+}  // namespace
+
+const PublishedRow* Published::find(const std::string& model, const std::array<int, 3>& grid) const {
+  const auto at = std::find_if(rows.begin(), rows.end(),
+                               [&](const auto& row) { return row.model == model && row.grid == grid; });
+  return at == rows.end() ? nullptr : &*at;
+}
+
+Published read_published(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw InputError(fmt::format("{}: cannot be read, expected published numbers", file.string()));
+  try {
+    const auto json = nlohmann::json::parse(stream);
+    Published published{json.at("source").get<std::string>(), json.at("machine").get<std::string>(), {}};
+    for (const auto& row : json.at("rows")) {
+      PublishedRow& out = published.rows.emplace_back();
+      out.model = row.at("model").get<std::string>();
+      out.grid = row.at("grid").get<std::array<int, 3>>();
+      out.rayrep = side(row, "rayrep");
+      out.voxel = side(row, "voxel");
+      if (row.contains("speedup")) out.speedup = row.at("speedup").get<double>();
+    }
+    return published;
+  } catch (const nlohmann::json::exception& error) {
+    std::string what = error.what();
+    std::replace(what.begin(), what.end(), '\n', ' ');
+    throw InputError(
+        fmt::format("{}: {}, expected source, machine and rows of published numbers", file.string(), what));
+  }
+}
+
+}  // namespace kreisel

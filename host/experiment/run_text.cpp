@@ -1,0 +1,24 @@
+#include "experiment/run_text.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace kreisel {
+
+std::string grid_text(const GridSpec& grid) {
+  if (!grid.cells) return fmt::format("{}", grid.resolution);
+  const auto& n = *grid.cells;
+  return fmt::format("{}x{}x{}", n[0], n[1], n[2]);
+}
+
+std::string model_text(const RunConfig& config) {
+  return std::filesystem::path(config.body.model).stem().string();
+}
+
+std::string run_text(const RunConfig& config) {
+  return fmt::format("{} {} {} {}", model_text(config), grid_text(config.grid), config.formulation,
+                     config.solver);
+}
+
+}  // namespace kreisel

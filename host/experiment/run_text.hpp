@@ -1,0 +1,19 @@
+// run_text.hpp - how lists, progress and tables name a run.
+#pragma once
+
+#include <string>
+
+#include "run/config.hpp"
+
+namespace kreisel {
+
+/// "80x52x51", or "64" when only the longest side is given.
+[[nodiscard]] std::string grid_text(const GridSpec& grid);
+
+/// "ellipsoid 80x52x51 voxel ipopt"; a mesh file by its stem.
+[[nodiscard]] std::string run_text(const RunConfig& config);
+
+/// The stem of a mesh file, or the name of a model.
+[[nodiscard]] std::string model_text(const RunConfig& config);
+
+}  // namespace kreisel

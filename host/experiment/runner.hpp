@@ -1,0 +1,75 @@
+// runner.hpp - runs an experiment: what is finished is skipped, what fails is recorded, the rest goes on.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "experiment/experiment.hpp"
+#include "run/pipeline.hpp"
+#include "solve/interrupt.hpp"
+
+namespace kreisel {
+
+struct RunnerOptions {
+  std::filesystem::path results = "results/runs";  ///< records lie in <results>/<experiment name>/
+  bool force = false;                              ///< runs what is finished as well, and replaces its record
+  std::FILE* log = stderr;  ///< failures and interruption; on a terminal also progress and a line a run
+};
+
+/// What the runner calls; tests put their own in place.
+struct RunnerHooks {
+  std::function<RunOutput(const RunConfig&, const std::string& mesh_file, const Progress&)> run =
+      kreisel::run;
+  std::function<bool()> interrupted = kreisel::interrupted;
+  /// Of a run that failed before it could say itself.
+  std::function<Provenance(const RunConfig&)> provenance;
+};
+
+/// What is on disk for one run.
+enum class RunState {
+  missing,
+  failed,        ///< an error is on record; it is run again
+  without_mesh,  ///< the record is there, the mesh that the experiment keeps is not; it is run again
+  finished       ///< whatever its termination: a solver that gave up is a result
+};
+
+/// One distinct run of an experiment; runs that differ only in label share it.
+struct PlannedRun {
+  RunConfig config;
+  std::filesystem::path record;
+  std::filesystem::path mesh;  ///< beside the record, same stem; empty: not kept
+  RunState state = RunState::missing;
+};
+
+/// Counts of distinct runs.
+struct RunCounts {
+  int done = 0;         ///< ran and was recorded
+  int unconverged = 0;  ///< of those, neither optimal nor acceptable
+  int skipped = 0;      ///< was finished already
+  int failed = 0;       ///< ended in an error, which was recorded
+  bool interrupted = false;
+};
+
+/// <results>/<experiment name>/<run_name(config)>.h5
+[[nodiscard]] std::filesystem::path record_path(const std::filesystem::path& results,
+                                                const std::string& experiment, const RunConfig& config);
+
+/// @throws InputError  a record that cannot be read: it may be of a newer version, so it is not replaced
+/// unasked
+[[nodiscard]] std::vector<PlannedRun> plan_runs(const Experiment& experiment,
+                                                const RunnerOptions& options = {});
+
+/// What run_experiment() would do: a line a run, then the counts. Ends with a newline; runs nothing.
+[[nodiscard]] std::string dry_run(const Experiment& experiment, const RunnerOptions& options = {});
+
+/// Runs what is not finished, in the order of the file. Every finished run is on disk before the next begins;
+/// an interrupted one leaves nothing.
+///
+/// @throws InputError  a record that cannot be read or written
+RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& options = {},
+                         const RunnerHooks& hooks = {});
+
+}  // namespace kreisel

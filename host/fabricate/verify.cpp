@@ -1,0 +1,27 @@
+#include "fabricate/verify.hpp"
+
+#include <fmt/format.h>
+
+#include "body/mesh_moments.hpp"
+#include "error.hpp"
+#include "mesh/check.hpp"
+#include "mesh/read.hpp"
+
+namespace kreisel {
+
+WrittenPart verify_file(const std::filesystem::path& file, const Body& body, const Problem& problem) {
+  WrittenPart part;
+  try {
+    const TriangleMesh mesh = read_mesh(file);
+    part.triangles = mesh.triangles.size();
+    require_solid(mesh, file.filename().string());
+    part.moments = reference::mesh_moments(to_body(body.frame, mesh)).value;
+  } catch (const InputError& error) {
+    part.verdict.text = fmt::format("the written mesh is not a solid: {}", error.what());
+    return part;
+  }
+  part.verdict = problem.verify(part.moments, body.frame.length);
+  return part;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,46 @@
+#include "formulation/formulation.hpp"
+
+#include <fmt/format.h>
+
+#include "error.hpp"
+#include "formulation/rayrep.hpp"
+#include "formulation/voxel.hpp"
+
+namespace kreisel {
+
+Start parse_start(std::string_view text) {
+  if (text == "lower") return Start::lower;
+  if (text == "middle") return Start::middle;
+  if (text == "upper") return Start::upper;
+  throw InputError(fmt::format("start '{}'; expected lower, middle or upper", text));
+}
+
+std::vector<double> Formulation::start(Start where) const {
+  const Bounds& b = bounds();
+  if (where == Start::lower) return b.lower;
+  if (where == Start::upper) return b.upper;
+  std::vector<double> x(num_variables());
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = (b.lower[i] + b.upper[i]) / 2;
+  return x;
+}
+
+const std::vector<FormulationEntry>& formulations() {
+  static const std::vector<FormulationEntry> all = {
+      {"voxel", "one fill in [0,1] an interior voxel", make_voxel},
+      {"rayrep", "one solid segment [z0,z1] a ray [RayRep, s. 2-3]", make_rayrep},
+  };
+  return all;
+}
+
+std::unique_ptr<Formulation> make_formulation(std::string_view name, const Columns& domain,
+                                              const Traits& traits, const FormulationSettings& settings,
+                                              device::Device& device) {
+  std::string names;
+  for (const FormulationEntry& entry : formulations()) {
+    if (entry.name == name) return entry.make(domain, traits, settings, device);
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", entry.name);
+  }
+  throw InputError(fmt::format("formulation '{}' is unknown; expected one of: {}", name, names));
+}
+
+}  // namespace kreisel

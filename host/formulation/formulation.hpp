@@ -1,0 +1,89 @@
+// formulation.hpp - how an interior is described by variables: x -> s(x) over a domain.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "domain/columns.hpp"
+#include "formulation/voxel_set.hpp"
+#include "problem/problem.hpp"
+
+namespace kreisel {
+
+/// Where a solve starts: at the bounds, or half way between them. [RayRep, s. 3.3]
+enum class Start { lower, middle, upper };
+
+/// @throws InputError  not lower, middle or upper
+[[nodiscard]] Start parse_start(std::string_view text);
+
+struct Bounds {
+  std::vector<double> lower, upper;
+};
+
+/// Sparse linear constraints of the formulation's own, lower <= A x <= upper.
+struct SparseRows {
+  struct Entry {
+    int row, column;
+    double value;
+  };
+  std::vector<Entry> entries;
+  std::vector<double> lower, upper;  ///< one a row; may be infinite
+};
+
+/// An interior rounded to what can be built, and what that cost.
+struct Rounded {
+  VoxelSet solid;          ///< which interior voxels stay solid
+  std::size_t mended = 0;  ///< voxels filled so that the void surface is a manifold
+};
+
+/// Variables x of a domain, their moments s(x) at unit density in body units, and the derivatives.
+/// Each method that touches x costs one kernel pass.
+class Formulation {
+ public:
+  virtual ~Formulation() = default;
+
+  [[nodiscard]] virtual std::string_view name() const = 0;  ///< stable: part of the results path
+  [[nodiscard]] virtual std::size_t num_variables() const = 0;
+  [[nodiscard]] virtual const Bounds& bounds() const = 0;
+  [[nodiscard]] virtual SparseRows own_constraints() const { return {}; }
+  [[nodiscard]] virtual bool moments_are_linear() const { return false; }
+
+  /// s(x). @param x  num_variables() values
+  [[nodiscard]] virtual Moments moments(std::span<const double> x) = 0;
+
+  /// (ds/dx)^T w for every column w of `weights`: out[r * num_variables() + i].
+  virtual void pull_back(std::span<const double> x, std::span<const Moments> weights,
+                         std::span<double> out) = 0;
+
+  /// Diagonal of sum_k w_k d2s_k/dx2, its only entries. Zero when moments_are_linear().
+  virtual void curvature(std::span<const double> x, const Moments& weight, std::span<double> out) = 0;
+
+  /// The nearest interior made of whole voxels. [RayRep, s. 3.4]
+  [[nodiscard]] virtual Rounded round(std::span<const double> x) const = 0;
+
+  [[nodiscard]] std::vector<double> start(Start where) const;
+};
+
+/// Settings of a formulation, from `--set formulation.NAME=VALUE`.
+using FormulationSettings = std::map<std::string, std::string>;
+
+struct FormulationEntry {
+  std::string_view name, summary;
+  /// The domain and the device outlive the formulation.
+  std::unique_ptr<Formulation> (*make)(const Columns& domain, const Traits& traits,
+                                       const FormulationSettings& settings, device::Device& device);
+};
+
+[[nodiscard]] const std::vector<FormulationEntry>& formulations();
+
+/// @throws InputError  unknown formulation (names those there are), unknown or unfit setting
+[[nodiscard]] std::unique_ptr<Formulation> make_formulation(std::string_view name, const Columns& domain,
+                                                            const Traits& traits,
+                                                            const FormulationSettings& settings,
+                                                            device::Device& device);
+
+}  // namespace kreisel

@@ -1,0 +1,113 @@
+#include "formulation/ray_moments.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "device/program.hpp"
+#include "ray_moments_params.h"
+
+namespace kreisel {
+namespace {
+
+constexpr std::size_t most_rows = 10;
+
+}  // namespace
+
+RayMoments::RayMoments(device::Device& device, const Grid& grid, std::span<const std::uint32_t> columns,
+                       double unit)
+    : device_(&device),
+      grid_(grid),
+      unit_(unit),
+      n_(columns.size()),
+      columns_(device::upload_words(device, columns)),
+      x_(device, 2 * columns.size()),
+      weights_(device, 10 * most_rows),
+      out_(device, most_rows * 2 * columns.size()),
+      rows_(device, columns.size()) {
+  const cl::Program program = device::build(device, "ray_moments");
+  sum_ = cl::Kernel(program, "ray_moments");
+  sum_.setArg(1, x_.handle());
+  sum_.setArg(2, columns_);
+  sum_.setArg(3, rows_.handle());
+  for (auto [kernel, name] :
+       {std::pair{&pull_back_, "ray_pull_back"}, std::pair{&curvature_, "ray_curvature"}}) {
+    *kernel = cl::Kernel(program, name);
+    kernel->setArg(1, x_.handle());
+    kernel->setArg(2, columns_);
+    kernel->setArg(3, weights_.handle());
+    kernel->setArg(4, out_.handle());
+  }
+}
+
+void RayMoments::set_params(cl::Kernel& kernel, std::size_t rows) {
+  device::set_params<RayParams>(*device_, kernel, 0, [&](auto& p) {
+    using Real = decltype(p.h);
+    p.ox = static_cast<Real>(grid_.centre(0, 0));
+    p.oy = static_cast<Real>(grid_.centre(1, 0));
+    p.h = static_cast<Real>(grid_.h);
+    p.unit = static_cast<Real>(unit_);
+    p.n = static_cast<int>(n_);
+    p.rows = static_cast<int>(rows);
+    p.block = rows_.block();
+  });
+}
+
+void RayMoments::require_length(std::size_t values) const {
+  if (values != 2 * n_)
+    throw std::invalid_argument(fmt::format("{} values for {} rays; expected two a ray", values, n_));
+}
+
+Moments RayMoments::operator()(std::span<const double> x) {
+  require_length(x.size());
+  x_.upload(x);
+  set_params(sum_, 0);
+  device_->run(sum_, rows_.items(), device::PartialRows::work_group);
+  return Moments(rows_.join().data());
+}
+
+void RayMoments::pull_back(std::span<const double> x, std::span<const Moments> weights,
+                           std::span<double> out) {
+  require_length(x.size());
+  if (weights.size() > most_rows || out.size() != weights.size() * x.size())
+    throw std::invalid_argument(
+        fmt::format("pull-back of {} rows into {} values for {} rays", weights.size(), out.size(), n_));
+  x_.upload(x);
+  weights_.upload({weights.front().data(), 10 * weights.size()});
+  set_params(pull_back_, weights.size());
+  device_->run(pull_back_, n_, device::PartialRows::work_group);
+  out_.download(out);
+}
+
+void RayMoments::curvature(std::span<const double> x, const Moments& weight, std::span<double> out) {
+  require_length(x.size());
+  require_length(out.size());
+  x_.upload(x);
+  weights_.upload({weight.data(), 10});
+  set_params(curvature_, 1);
+  device_->run(curvature_, n_, device::PartialRows::work_group);
+  out_.download(out);
+}
+
+namespace reference {
+
+RaySums ray_moments(const Grid& grid, std::span<const std::uint32_t> columns, double unit,
+                    std::span<const double> x) {
+  RaySums sum{Moments::Zero(), Moments::Zero()};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const double cx = grid.centre(0, static_cast<int>(columns[i] & 0xffffu));
+    const double cy = grid.centre(1, static_cast<int>(columns[i] >> 16));
+    const double z0 = unit * x[2 * i], z1 = unit * x[2 * i + 1];
+    sum.value += box_moments({cx, cy, (z0 + z1) / 2}, {grid.h, grid.h, z1 - z0});
+    // Coordinates and lengths are themselves sums, so their parts enter by absolute value.
+    const double reach = std::abs(z0) + std::abs(z1);
+    sum.abs_sum += box_moments(
+        {std::abs(cx) + 2 * std::abs(grid.origin[0]), std::abs(cy) + 2 * std::abs(grid.origin[1]), reach},
+        {grid.h, grid.h, reach});
+  }
+  return sum;
+}
+
+}  // namespace reference
+}  // namespace kreisel

@@ -1,0 +1,91 @@
+#include "formulation/voxel_moments.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "device/program.hpp"
+#include "voxel_moments_params.h"
+
+namespace kreisel {
+namespace {
+
+constexpr std::size_t most_rows = 10;
+
+}  // namespace
+
+VoxelMoments::VoxelMoments(device::Device& device, const Grid& grid, std::span<const std::uint32_t> cells)
+    : device_(&device),
+      grid_(grid),
+      n_(cells.size()),
+      cells_(device::upload_words(device, cells)),
+      fill_(device, cells.size()),
+      weights_(device, 10 * most_rows),
+      out_(device, most_rows * cells.size()),
+      rows_(device, cells.size()) {
+  const cl::Program program = device::build(device, "voxel_moments");
+  sum_ = cl::Kernel(program, "voxel_moments");
+  sum_.setArg(1, fill_.handle());
+  sum_.setArg(2, cells_);
+  sum_.setArg(3, rows_.handle());
+  pull_back_ = cl::Kernel(program, "voxel_pull_back");
+  pull_back_.setArg(1, cells_);
+  pull_back_.setArg(2, weights_.handle());
+  pull_back_.setArg(3, out_.handle());
+}
+
+namespace {
+
+template <class Params>
+void fill_params(Params& p, const Grid& grid, std::size_t n, std::size_t rows, int block) {
+  using Real = decltype(p.h);
+  p.ox = static_cast<Real>(grid.centre(0, 0));
+  p.oy = static_cast<Real>(grid.centre(1, 0));
+  p.oz = static_cast<Real>(grid.centre(2, 0));
+  p.h = static_cast<Real>(grid.h);
+  p.n = static_cast<int>(n);
+  p.rows = static_cast<int>(rows);
+  p.block = block;
+}
+
+}  // namespace
+
+Moments VoxelMoments::operator()(std::span<const double> fill) {
+  if (fill.size() != n_)
+    throw std::invalid_argument(fmt::format("fill of {} values for {} voxels", fill.size(), n_));
+  fill_.upload(fill);
+  device::set_params<VoxelParams>(*device_, sum_, 0,
+                                  [&](auto& p) { fill_params(p, grid_, n_, 0, rows_.block()); });
+  device_->run(sum_, rows_.items(), device::PartialRows::work_group);
+  return Moments(rows_.join().data());
+}
+
+void VoxelMoments::pull_back(std::span<const Moments> weights, std::span<double> out) {
+  if (weights.size() > most_rows || out.size() != weights.size() * n_)
+    throw std::invalid_argument(
+        fmt::format("pull-back of {} rows into {} values for {} voxels", weights.size(), out.size(), n_));
+  weights_.upload({weights.front().data(), 10 * weights.size()});
+  device::set_params<VoxelParams>(*device_, pull_back_, 0,
+                                  [&](auto& p) { fill_params(p, grid_, n_, weights.size(), rows_.block()); });
+  device_->run(pull_back_, n_, device::PartialRows::work_group);
+  out_.download(out);
+}
+
+namespace reference {
+
+Sums voxel_moments(const Grid& grid, std::span<const std::uint32_t> cells, std::span<const double> fill) {
+  Sums sum{Moments::Zero(), Moments::Zero()};
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Vec3 centre(grid.centre(0, static_cast<int>(cells[i] & 1023u)),
+                      grid.centre(1, static_cast<int>(cells[i] >> 10 & 1023u)),
+                      grid.centre(2, static_cast<int>(cells[i] >> 20)));
+    sum.value += fill[i] * box_moments(centre, Vec3::Constant(grid.h));
+    // A coordinate is itself a sum, so its parts enter by absolute value.
+    const Vec3 reach = centre.cwiseAbs() + 2 * grid.origin.cwiseAbs();
+    sum.abs_sum += std::abs(fill[i]) * box_moments(reach, Vec3::Constant(grid.h));
+  }
+  return sum;
+}
+
+}  // namespace reference
+}  // namespace kreisel

@@ -1,0 +1,30 @@
+// distance.hpp - exact distances to a triangle mesh.
+#pragma once
+
+#include <memory>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace kreisel {
+
+/// Distance to the surface of a mesh. Embree's hierarchy finds the candidates in single precision with a
+/// margin; the distance to each triangle is computed in double. Safe to ask from several threads.
+class SurfaceDistance {
+ public:
+  explicit SurfaceDistance(const TriangleMesh& mesh);  ///< keeps a reference to the mesh
+  ~SurfaceDistance();
+  SurfaceDistance(const SurfaceDistance&) = delete;
+  SurfaceDistance& operator=(const SurfaceDistance&) = delete;
+
+  /// The distance of `point`, or `limit` when it is at least that. limit > 0, the mesh's unit.
+  [[nodiscard]] double operator()(const Vec3& point, double limit) const;
+
+ private:
+  struct Scene;
+  std::unique_ptr<Scene> scene_;
+};
+
+/// Distance from a point to a triangle (closed).
+[[nodiscard]] double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace kreisel

@@ -1,0 +1,18 @@
+// read.hpp - triangle meshes from files.
+#pragma once
+
+#include <filesystem>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace kreisel {
+
+/// The triangles of an STL (binary or text), OBJ or OFF file, in the file's own length unit. The format
+/// follows from the extension in any case. Polygons with more than three corners become fans about their
+/// first corner. Nothing is repaired: duplicates, holes and unused vertices arrive as they stand in the file,
+/// require_solid() judges them. STL has no shared corners; there, equal coordinates become one vertex.
+/// @throws InputError  missing, a directory, unknown extension, empty, cut off, an index outside the
+///                     vertices, a coordinate that is no finite number, or no triangle at all
+[[nodiscard]] TriangleMesh read_mesh(const std::filesystem::path& path);
+
+}  // namespace kreisel

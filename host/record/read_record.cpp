@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "error.hpp"
+#include "record/hdf5_file.hpp"
+#include "record/record.hpp"
+
+namespace kreisel {
+namespace {
+
+using hdf5::Group;
+
+void check_schema(const hdf5::File& file, const std::string& name) {
+  if (!file.has("schema") || !file.has("schema_version") || file.text("schema") != "kreisel run")
+    throw InputError(
+        fmt::format("{}: not a record of a run, expected the attribute schema = kreisel run", name));
+  const std::int64_t version = file.integer("schema_version");
+  if (version < 1 || version > record_schema_version)
+    throw InputError(fmt::format("{}: schema version {}, expected 1 to {}; a newer program wrote it", name,
+                                 version, record_schema_version));
+}
+
+std::vector<Seconds> seconds_of(const Group& group, const std::string& dataset, const std::string& name) {
+  const auto table = group.read(dataset);
+  if (table.shape.columns != 4)
+    throw InputError(fmt::format("{}: {} has {} columns, expected setup, kernels, solve, total", name,
+                                 dataset, table.shape.columns));
+  std::vector<Seconds> rows;
+  for (std::size_t r = 0; r < table.shape.rows; ++r) {
+    const double* row = table.values.data() + 4 * r;
+    rows.push_back({row[0], row[1], row[2], row[3]});
+  }
+  return rows;
+}
+
+void read_domain(const Group& group, RecordSummary& summary, const std::string& name) {
+  const auto grid = group.read_integers("grid");
+  if (grid.values.size() != 3)
+    throw InputError(fmt::format("{}: grid has {} numbers, expected 3", name, grid.values.size()));
+  std::ranges::copy(grid.values, summary.grid.begin());
+  summary.rays = static_cast<std::size_t>(group.integer("rays"));
+  summary.interior_voxels = static_cast<std::size_t>(group.integer("interior_voxels"));
+}
+
+void read_solve(const Group& group, RecordSummary& summary, const std::string& name) {
+  summary.message = group.text("message");
+  summary.samples = seconds_of(group, "samples", name);
+  const auto median = seconds_of(group, "median", name);
+  if (median.size() != 1)
+    throw InputError(fmt::format("{}: median has {} rows, expected 1", name, median.size()));
+  summary.median = median.front();
+}
+
+}  // namespace
+
+RecordSummary read_record(const std::filesystem::path& path) {
+  const hdf5::File file = hdf5::File::open(path);
+  const std::string name = path.string();
+  check_schema(file, name);
+
+  RecordSummary summary;
+  summary.path = path;
+  const Group config = file.group("config");
+  for (const std::string& key : config.attributes()) summary.config[key] = config.text(key);
+  const Group provenance = file.group("provenance");
+  summary.commit = provenance.text("commit");
+  summary.device = provenance.text("device");
+  summary.started = provenance.text("started");
+  summary.model = file.text("model");
+  summary.problem = file.text("problem");
+  summary.formulation = file.text("formulation");
+  summary.solver = file.text("solver");
+  if (file.has("error")) {
+    summary.error = file.text("error");
+    return summary;
+  }
+
+  summary.termination = file.text("termination");
+  summary.objective = file.real("objective");
+  summary.violation = file.real("constraint_violation");
+  summary.iterations = static_cast<int>(file.integer("iterations"));
+  summary.variables = static_cast<std::size_t>(file.integer("variables"));
+  read_domain(file.group("domain"), summary, name);
+  read_solve(file.group("solve"), summary, name);
+  const Group rounding = file.group("rounding");
+  summary.rounded_objective = rounding.real("objective");
+  summary.rounded_violation = rounding.real("violation");
+  summary.mended_voxels = static_cast<std::size_t>(rounding.integer("mended_voxels"));
+  const Group verified = file.group("verified");
+  summary.verified_ok = verified.integer("ok") != 0;
+  summary.verified_text = verified.text("text");
+  return summary;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,53 @@
+// record.hpp - one HDF5 file a run, and the JSON summary that scripts rely on. Schema: results/README.md.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "run/result.hpp"
+
+namespace kreisel {
+
+inline constexpr int record_schema_version = 1;
+
+/// Writes the whole run: temporary name in the same folder, then renamed. Creates the folder.
+/// @throws InputError  the folder cannot be written
+void write_record(const std::filesystem::path& path, const RunResult& result);
+
+/// A run that ended in an error before there was a result: configuration, provenance and the message.
+/// @throws InputError  the folder cannot be written
+void write_failure(const std::filesystem::path& path, const RunConfig& config, const Provenance& provenance,
+                   const std::string& message);
+
+/// What tables and `bench show` need of a record.
+struct RecordSummary {
+  std::filesystem::path path;
+  std::map<std::string, std::string> config;  ///< as describe() gives it
+  std::string error;  ///< of a failed run; then there is only what was asked for, by whom and where
+  std::string model, problem, formulation, solver, termination, message;
+  std::array<int, 3> grid{};
+  std::size_t rays = 0, interior_voxels = 0, variables = 0;
+  int iterations = 0;
+  double objective = 0, violation = 0;
+  double rounded_objective = 0, rounded_violation = 0;
+  std::size_t mended_voxels = 0;
+  bool verified_ok = false;
+  std::string verified_text;
+  Seconds median;
+  std::vector<Seconds> samples;
+  std::string commit, device, started;
+};
+
+/// @throws InputError  not a record, or of a newer schema
+[[nodiscard]] RecordSummary read_record(const std::filesystem::path& path);
+
+/// The summary with the field names of "Machine-readable output" in docs/.
+[[nodiscard]] nlohmann::json to_json(const RunResult& result);
+
+/// Writes text to a temporary name in the same folder and renames it. @throws InputError  not writable
+void write_text(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace kreisel

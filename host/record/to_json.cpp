@@ -1,0 +1,150 @@
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "record/record.hpp"
+
+namespace kreisel {
+namespace {
+
+using nlohmann::json;
+
+json list(const Vec3& v) { return {v[0], v[1], v[2]}; }
+json list(const Moments& s) { return std::vector<double>(s.data(), s.data() + s.size()); }
+
+json rows(const Eigen::Matrix3d& m) {
+  return {list(Vec3(m.row(0))), list(Vec3(m.row(1))), list(Vec3(m.row(2)))};
+}
+
+json to_json(const Seconds& s) {
+  return {{"setup", s.setup}, {"kernels", s.kernels}, {"solve", s.solve}, {"total", s.total}};
+}
+
+/// lambda and the gammas as set, else their defaults; other settings of the problem as they are.
+json weights(const RunConfig& config) {
+  json all = {{"lambda", 0.0}, {"gamma_i", 1.0}};
+  for (const auto& [name, text] : settings_of(config, "problem")) {
+    double value = 0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (status == std::errc() && end == text.data() + text.size())
+      all[name] = value;
+    else
+      all[name] = text;
+  }
+  return all;
+}
+
+json provenance(const Provenance& p) {
+  return {{"version", p.version},
+          {"compiler", p.compiler},
+          {"build_type", p.build_type},
+          {"host", p.host},
+          {"processor", p.processor},
+          {"system", p.system},
+          {"threads", p.threads},
+          {"platform", p.platform},
+          {"driver", p.driver},
+          {"device_version", p.device_version},
+          {"device_fp64", p.device_fp64},
+          {"single_precision", p.single_precision},
+          {"ipopt_version", p.ipopt_version},
+          {"linear_solver", p.linear_solver},
+          {"blas", p.blas},
+          {"started", p.started}};
+}
+
+json evaluations(const Evaluations& e) {
+  return {{"objective", e.objective},
+          {"gradient", e.gradient},
+          {"constraints", e.constraints},
+          {"jacobian", e.jacobian},
+          {"hessian", e.hessian}};
+}
+
+json rounding(const RoundingCost& cost) {
+  return {{"objective", cost.objective},
+          {"constraint_violation", cost.violation},
+          {"solid_voxels", cost.solid_voxels},
+          {"void_voxels", cost.void_voxels},
+          {"mended_voxels", cost.mended_voxels}};
+}
+
+/// The problem's own values stand beside ours; ours win should the names ever meet.
+json verified(const Verified& v) {
+  json all = json::object();
+  for (const auto& [name, value] : v.verdict.values) all[name] = value;
+  all["ok"] = v.verdict.ok;
+  all["text"] = v.verdict.text;
+  all["file"] = v.file;
+  all["moments_body"] = list(v.moments);
+  all["rounding_mismatch"] = v.rounding_mismatch;
+  all["triangles"] = v.triangles;
+  all["void_triangles"] = v.void_triangles;
+  return all;
+}
+
+json frame(const RunResult& r) {
+  return {{"origin", list(r.frame.origin)}, {"rotation", rows(r.frame.rotation)},
+          {"length", r.length_mm},          {"mass", r.mass_unit_grams},
+          {"axis", list(r.axis)},           {"contact", list(r.contact)}};
+}
+
+/// NaN and infinity become null, bytes that are no UTF-8 the replacement character: what dump() writes, read
+/// back, so that whoever dumps the answer need not think of either.
+json plain(const json& value) {
+  return json::parse(value.dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+}  // namespace
+
+json to_json(const RunResult& r) {
+  const Outcome& o = r.outcome;
+  json samples = json::array();
+  for (const Seconds& s : r.samples) samples.push_back(to_json(s));
+  return plain({
+      {"model", r.body_name},
+      {"problem", r.config.problem},
+      {"formulation", r.config.formulation},
+      {"solver", r.config.solver},
+      {"grid", r.grid.n},
+      {"variables", r.variables},
+      {"iterations", o.iterations},
+      {"termination", to_string(o.termination)},
+      {"message", o.message},
+      {"objective", o.objective},
+      {"solid_objective", r.solid_objective},
+      {"constraint_violation", o.violation},
+      {"dual_infeasibility", o.dual_infeasibility},
+      {"complementarity", o.complementarity},
+      {"moments", list(r.model_moments())},
+      {"moments_order", moment_names},
+      {"moments_frame",
+       {{"origin", {0.0, 0.0, 0.0}},
+        {"axes", rows(Eigen::Matrix3d::Identity())},
+        {"mass_unit", "g"},
+        {"length_unit", "mm"}}},
+      {"moments_body", list(o.moments)},
+      {"seconds", to_json(r.median)},
+      {"samples", samples},
+      {"domain", "columns"},
+      {"rays", r.rays},
+      {"inside_voxels", r.inside_voxels},
+      {"interior_voxels", r.interior_voxels},
+      {"frame", frame(r)},
+      {"weights", weights(r.config)},
+      {"wall", r.wall * r.length_mm},
+      {"wall_setting", to_string(r.config.wall)},
+      {"density", r.density},
+      {"solid_mass_g", r.solid_mass_grams},
+      {"bound", nullptr},
+      {"gap", nullptr},
+      {"rounding", rounding(r.rounding)},
+      {"verified", verified(r.verified)},
+      {"evaluations", evaluations(o.evaluations)},
+      {"config", describe(r.config)},
+      {"device", r.provenance.device},
+      {"commit", r.provenance.commit},
+      {"provenance", provenance(r.provenance)},
+  });
+}
+
+}  // namespace kreisel

@@ -1,0 +1,215 @@
+#include <fmt/format.h>
+
+#include "error.hpp"
+#include "record/hdf5_file.hpp"
+#include "record/record.hpp"
+#include "record/replace_file.hpp"
+
+namespace kreisel {
+namespace {
+
+using hdf5::Group;
+using hdf5::Labels;
+
+constexpr const char* body_moment_units = "M (s1), M L (sx sy sz), M L^2 (rest)";
+constexpr const char* model_moment_units = "g (s1), g mm (sx sy sz), g mm^2 (rest)";
+
+const std::vector<std::string> xyz = {"x", "y", "z"};
+
+void write_vector(Group& group, const std::string& name, const Vec3& v, const char* units) {
+  group.write(name, {v.data(), 3}, {3}, {units, xyz});
+}
+
+void write_moments(Group& group, const std::string& name, const Moments& s,
+                   const char* units = body_moment_units) {
+  group.write(name, {s.data(), moment_names.size()}, {moment_names.size()},
+              {units, {moment_names.begin(), moment_names.end()}});
+}
+
+void write_seconds(Group& group, const std::string& name, const std::vector<Seconds>& rows) {
+  std::vector<double> values;
+  for (const Seconds& s : rows) values.insert(values.end(), {s.setup, s.kernels, s.solve, s.total});
+  group.write(name, values, {rows.size(), 4}, {"s", {"setup", "kernels", "solve", "total"}});
+}
+
+void write_config(Group group, const RunConfig& config) {
+  for (const auto& [key, value] : describe(config)) group.set(key, value);
+}
+
+void write_provenance(Group group, const Provenance& p) {
+  group.set("version", p.version);
+  group.set("commit", p.commit);
+  group.set("compiler", p.compiler);
+  group.set("build_type", p.build_type);
+  group.set("host", p.host);
+  group.set("processor", p.processor);
+  group.set("system", p.system);
+  group.set("threads", p.threads);
+  group.set("device", p.device);
+  group.set("platform", p.platform);
+  group.set("driver", p.driver);
+  group.set("device_version", p.device_version);
+  group.set("device_fp64", p.device_fp64);
+  group.set("single_precision", p.single_precision);
+  group.set("ipopt_version", p.ipopt_version);
+  group.set("linear_solver", p.linear_solver);
+  group.set("blas", p.blas);
+  group.set("started", p.started);
+}
+
+void write_root(Group& root, const RunConfig& config, const std::string& model) {
+  root.set("schema", "kreisel run");
+  root.set("schema_version", record_schema_version);
+  root.set("moments_order", fmt::format("{}", fmt::join(moment_names, " ")));
+  root.set("model", model);
+  root.set("problem", config.problem);
+  root.set("formulation", config.formulation);
+  root.set("solver", config.solver);
+}
+
+void write_body(Group group, const RunResult& r) {
+  group.set("name", r.body_name);
+  group.set("density", r.density);
+  group.set("density_units", "g/cm^3");
+  group.set("solid_mass", r.solid_mass_grams);
+  group.set("solid_mass_units", "g");
+  group.set("length", r.length_mm);
+  group.set("length_units", "mm");
+  group.set("mass_unit", r.mass_unit_grams);
+  group.set("mass_unit_units", "g");
+  group.set("solid_objective", r.solid_objective);
+  write_vector(group, "axis", r.axis, "1");
+  write_vector(group, "contact", r.contact, "mm");
+  write_vector(group, "frame_origin", r.frame.origin, "mm");
+  // Eigen keeps columns, the file rows.
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation = r.frame.rotation;
+  group.write("frame_rotation", {rotation.data(), 9}, {3, 3}, {"1", xyz});
+  write_moments(group, "solid", r.solid);
+  write_moments(group, "fixed", r.fixed);
+  write_moments(group, "interior", r.interior);
+}
+
+void write_domain(Group group, const RunResult& r) {
+  group.set("kind", "columns");
+  group.set("wall", r.wall);
+  group.set("wall_units", "L");
+  group.set("spacing", r.grid.h);
+  group.set("spacing_units", "L");
+  group.set("rays", r.rays);
+  group.set("inside_voxels", r.inside_voxels);
+  group.set("interior_voxels", r.interior_voxels);
+  group.write("grid", r.grid.n, {3}, {"cells", xyz});
+  write_vector(group, "grid_origin", r.grid.origin, "L");
+  std::vector<int> rows;
+  rows.reserve(4 * r.intervals.size());
+  for (const Interval& run : r.intervals) rows.insert(rows.end(), {run.ix, run.iy, run.k0, run.k1});
+  group.write("intervals", rows, {r.intervals.size(), 4}, {"cells", {"ix", "iy", "k0", "k1"}});
+}
+
+void write_history(Group& group, const std::vector<Iterate>& history) {
+  std::vector<double> values;
+  values.reserve(7 * history.size());
+  for (const Iterate& i : history)
+    values.insert(values.end(), {double(i.iteration), i.objective, i.violation, i.dual_infeasibility,
+                                 i.barrier, i.regularization, double(i.line_search_trials)});
+  group.write("history", values, {history.size(), 7},
+              {"1",
+               {"iteration", "objective", "violation", "dual_infeasibility", "barrier", "regularization",
+                "line_search_trials"}});
+}
+
+/// What one unit of x is, in words and as a length: the ray-rep may count in cells.
+void write_variables(Group& group, const RunResult& r) {
+  const bool heights = r.config.formulation == "rayrep";
+  const auto settings = settings_of(r.config, "formulation");
+  const auto unit = settings.find("unit");
+  const bool cells = unit == settings.end() || unit->second == "cell";
+  const char* units = !heights ? "1" : cells ? "h, from the body origin" : "L, from the body origin";
+  group.write("x", r.outcome.x, {r.outcome.x.size()}, {units, {}});
+  group.set("x_unit_length", !heights ? 0.0 : cells ? r.grid.h : 1.0);
+}
+
+void write_solve(Group group, const RunResult& r) {
+  const Outcome& o = r.outcome;
+  group.set("message", o.message);
+  group.set("dual_infeasibility", o.dual_infeasibility);
+  group.set("complementarity", o.complementarity);
+  group.set("kernel_seconds", o.kernel_seconds);
+  group.set("solve_seconds", o.solve_seconds);
+  group.set("evaluations_objective", o.evaluations.objective);
+  group.set("evaluations_gradient", o.evaluations.gradient);
+  group.set("evaluations_constraints", o.evaluations.constraints);
+  group.set("evaluations_jacobian", o.evaluations.jacobian);
+  group.set("evaluations_hessian", o.evaluations.hessian);
+  group.set("repeat", r.config.repeat);
+  group.set("budget", r.config.budget_seconds);
+  group.set("budget_units", "s");
+  write_variables(group, r);
+  write_moments(group, "moments", o.moments);
+  write_moments(group, "moments_model", r.model_moments(), model_moment_units);
+  write_history(group, o.history);
+  write_seconds(group, "samples", r.samples);
+  write_seconds(group, "median", {r.median});
+}
+
+void write_rounding(Group group, const RoundingCost& cost) {
+  group.set("objective", cost.objective);
+  group.set("violation", cost.violation);
+  group.set("solid_voxels", cost.solid_voxels);
+  group.set("void_voxels", cost.void_voxels);
+  group.set("mended_voxels", cost.mended_voxels);
+  write_moments(group, "moments", cost.moments);
+}
+
+void write_verified(Group group, const Verified& v) {
+  group.set("ok", v.verdict.ok);
+  group.set("text", v.verdict.text);
+  group.set("file", v.file);
+  group.set("rounding_mismatch", v.rounding_mismatch);
+  group.set("triangles", v.triangles);
+  group.set("void_triangles", v.void_triangles);
+  write_moments(group, "moments", v.moments);
+  Group values = group.new_group("values");  // apart: a problem chooses these names
+  for (const auto& [name, value] : v.verdict.values) values.set(name, value);
+}
+
+template <class Write>
+void write_whole(const std::filesystem::path& path, const Write& write) {
+  replace_file(path, [&](const std::filesystem::path& temporary) {
+    hdf5::File file = hdf5::File::create(temporary, path.string());
+    write(file);
+    file.close();
+  });
+}
+
+}  // namespace
+
+void write_record(const std::filesystem::path& path, const RunResult& r) {
+  write_whole(path, [&](hdf5::File& file) {
+    write_root(file, r.config, r.body_name);
+    file.set("termination", to_string(r.outcome.termination));
+    file.set("objective", r.outcome.objective);
+    file.set("constraint_violation", r.outcome.violation);
+    file.set("iterations", r.outcome.iterations);
+    file.set("variables", r.variables);
+    write_config(file.new_group("config"), r.config);
+    write_provenance(file.new_group("provenance"), r.provenance);
+    write_body(file.new_group("body"), r);
+    write_domain(file.new_group("domain"), r);
+    write_solve(file.new_group("solve"), r);
+    write_rounding(file.new_group("rounding"), r.rounding);
+    write_verified(file.new_group("verified"), r.verified);
+  });
+}
+
+void write_failure(const std::filesystem::path& path, const RunConfig& config, const Provenance& provenance,
+                   const std::string& message) {
+  write_whole(path, [&](hdf5::File& file) {
+    write_root(file, config, std::filesystem::path(config.body.model).stem().string());
+    file.set("error", message);
+    write_config(file.new_group("config"), config);
+    write_provenance(file.new_group("provenance"), provenance);
+  });
+}
+
+}  // namespace kreisel

@@ -1,0 +1,44 @@
+// config.hpp - everything that defines one run; what `bench` parses and every record stores.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "body/body.hpp"
+#include "domain/columns.hpp"
+
+namespace kreisel {
+
+/// One run. Defaults are those of `bench --formulation rayrep`.
+struct RunConfig {
+  BodySpec body;
+  std::string problem = "spin", formulation = "rayrep", solver = "ipopt";
+  GridSpec grid;
+  Wall wall;
+  std::string device;             ///< selector, see device.hpp
+  bool single_precision = false;  ///< forces the kernels to compensated single precision
+  std::map<std::string, std::string>
+      settings;                ///< `--set GROUP.NAME=VALUE`; groups: ipopt problem formulation solver
+  int repeat = 1;              ///< timed solves at most, >= 1
+  double budget_seconds = 20;  ///< no further repetition starts once this is spent
+};
+
+/// Sets one field from text, as the command line and TOML files name them: model, problem, formulation,
+/// solver, resolution (N or NXxNYxNZ), wall, axis, contact, up ("x,y,z"), size, density, fineness, device,
+/// precision, repeat, budget, and GROUP.NAME for settings.
+///
+/// @throws InputError  unknown key or unfit value; names both and what was expected
+void set_field(RunConfig& config, std::string_view key, std::string_view value);
+
+/// The settings of one group, without its prefix.
+[[nodiscard]] std::map<std::string, std::string> settings_of(const RunConfig& config, std::string_view group);
+
+/// Every field that defines the result (not repeat and budget) as sorted key -> text; the identity of a run.
+[[nodiscard]] std::map<std::string, std::string> describe(const RunConfig& config);
+
+/// Stable file stem of a run: readable parts and a hash of describe(), e.g.
+/// "ellipsoid-80x52x51-spin-rayrep-ipopt-1a2b3c4d".
+[[nodiscard]] std::string run_name(const RunConfig& config);
+
+}  // namespace kreisel

@@ -1,0 +1,175 @@
+#include "run/pipeline.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <utility>
+
+#include "error.hpp"
+#include "fabricate/verify.hpp"
+#include "fabricate/void_surface.hpp"
+#include "mesh/write_stl.hpp"
+#include "solve/interrupt.hpp"
+
+namespace kreisel {
+namespace {
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+/// Every kernel of the formulation once, so that no timed solve pays for compiling.
+void warm_up(Formulation& formulation) {
+  const std::vector<double> x = formulation.start(Start::middle);
+  std::vector<double> out(x.size());
+  const Moments weight = Moments::Ones();
+  (void)formulation.moments(x);
+  formulation.pull_back(x, {&weight, 1}, out);
+  formulation.curvature(x, weight, out);
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t n = values.size();
+  return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+}
+
+Seconds medians(const std::vector<Seconds>& samples) {
+  const auto column = [&](double Seconds::*field) {
+    std::vector<double> values;
+    for (const Seconds& s : samples) values.push_back(s.*field);
+    return median(std::move(values));
+  };
+  return {column(&Seconds::setup), column(&Seconds::kernels), column(&Seconds::solve),
+          column(&Seconds::total)};
+}
+
+RoundingCost cost_of(const Rounded& rounded, const MassModel& mass, const Problem& problem) {
+  RoundingCost cost;
+  cost.moments = mass.total(moments(rounded.solid));
+  cost.objective = problem.value(cost.moments);
+  cost.violation = violation(problem, cost.moments);
+  cost.solid_voxels = rounded.solid.count_solid();
+  cost.void_voxels = rounded.solid.size() - cost.solid_voxels;
+  cost.mended_voxels = rounded.mended;
+  return cost;
+}
+
+/// Removes a file when it goes out of scope; an empty path is left alone.
+struct Temporary {
+  std::filesystem::path path;
+  ~Temporary() {
+    std::error_code ignored;
+    if (!path.empty()) std::filesystem::remove(path, ignored);
+  }
+};
+
+Verified write_and_verify(const RunOutput& output, const Body& body, const Problem& problem,
+                          const std::string& file) {
+  const Temporary temporary{
+      file.empty() ? std::filesystem::temp_directory_path() / fmt::format("kreisel-{}.stl", ::getpid()) : ""};
+  const std::filesystem::path path = file.empty() ? temporary.path : std::filesystem::path(file);
+  std::vector<TriangleMesh> parts = {output.outer};
+  if (!output.cavity.triangles.empty()) parts.push_back(output.cavity);
+  write_stl(path, parts);
+  const WrittenPart part = verify_file(path, body, problem);
+
+  Verified verified;
+  verified.verdict = part.verdict;
+  verified.file = file;
+  verified.moments = part.moments;
+  verified.triangles = part.triangles;
+  verified.void_triangles = output.cavity.triangles.size();
+  verified.rounding_mismatch = (part.moments - output.result.rounding.moments).cwiseAbs().maxCoeff();
+  return verified;
+}
+
+}  // namespace
+
+RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progress& progress) {
+  const auto tell = [&](const std::string& step) {
+    if (progress) progress(step);
+  };
+  // What needs no work is checked first, so that a typing error costs no time.
+  const std::unique_ptr<Problem> problem = make_problem(config.problem, [&] {
+    ProblemSettings numbers;
+    for (const auto& [name, value] : settings_of(config, "problem")) {
+      std::size_t used = 0;
+      try {
+        numbers[name] = std::stod(value, &used);
+      } catch (const std::exception&) {
+        used = std::string::npos;
+      }
+      if (used != value.size())
+        throw InputError(fmt::format("problem.{} = '{}'; expected a number", name, value));
+    }
+    return numbers;
+  }());
+  const SolverEntry& solver = find_solver(config.solver, config.formulation);
+  SolverOptions options = parse_solver_options(settings_of(config, "solver"));
+  options.own = settings_of(config, config.solver);
+  device::Device device(config.device,
+                        config.single_precision ? device::Precision::single : device::Precision::automatic);
+
+  tell("set-up");
+  const Stopwatch setup;
+  const Body body = make_body(config.body, device);
+  const Columns domain = make_columns(body, config.grid, config.wall);
+  const MassModel mass = hollowed(body, domain.interior);
+  const std::unique_ptr<Formulation> formulation = make_formulation(
+      config.formulation, domain, problem->traits(), settings_of(config, "formulation"), device);
+  warm_up(*formulation);
+  const double setup_seconds = setup.seconds();
+
+  RunOutput output;
+  RunResult& r = output.result;
+  r.config = config;
+  r.provenance = make_provenance(device);
+  r.body_name = body.name;
+  r.frame = body.frame;
+  r.axis = body.axis;
+  r.contact = body.contact;
+  r.density = body.density;
+  r.length_mm = body.frame.length;
+  r.mass_unit_grams = r.solid_mass_grams = body.mass_grams();
+  r.solid = body.solid;
+  r.fixed = mass.fixed;
+  r.interior = domain.interior;
+  r.grid = domain.grid;
+  r.wall = domain.wall;
+  r.intervals = domain.intervals;
+  r.rays = domain.intervals.size();
+  r.inside_voxels = domain.inside_voxels;
+  r.interior_voxels = domain.interior_voxels;
+  r.solid_objective = problem->value(body.solid);
+  r.variables = formulation->num_variables();
+
+  const Stopwatch budget;
+  while (static_cast<int>(r.samples.size()) < config.repeat &&
+         (r.samples.empty() || (budget.seconds() < config.budget_seconds && !interrupted()))) {
+    tell(fmt::format("solve {} of {}", r.samples.size() + 1, config.repeat));
+    r.outcome = solver.solve({*problem, *formulation, mass, device}, options);
+    r.samples.push_back({setup_seconds, r.outcome.kernel_seconds, r.outcome.solve_seconds,
+                         setup_seconds + r.outcome.solve_seconds});
+  }
+  r.median = medians(r.samples);
+
+  tell("round, extract, verify");
+  const Rounded rounded = formulation->round(r.outcome.x);
+  r.rounding = cost_of(rounded, mass, *problem);
+  output.outer = body.mesh;
+  output.cavity = to_model(body.frame, void_surface(rounded.solid));
+  r.verified = write_and_verify(output, body, *problem, mesh_file);
+  return output;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,26 @@
+// pipeline.hpp - one run from the configuration to the verified part.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "mesh/triangle_mesh.hpp"
+#include "run/result.hpp"
+
+namespace kreisel {
+
+/// Told what is under way, for progress on a terminal. May be empty.
+using Progress = std::function<void(const std::string& step)>;
+
+struct RunOutput {
+  RunResult result;
+  TriangleMesh outer, cavity;  ///< the part as written: model coordinates, mm
+};
+
+/// Body -> domain -> formulation -> solver (repeated) -> round -> void surface -> written file -> verdict.
+///
+/// @param mesh_file  where the part is written (STL, replaced as a whole); empty: a temporary file, removed
+/// @throws InputError  bad configuration or mesh
+RunOutput run(const RunConfig& config, const std::string& mesh_file = {}, const Progress& progress = {});
+
+}  // namespace kreisel

@@ -1,0 +1,24 @@
+// provenance.hpp - where, with what and when a result was made.
+#pragma once
+
+#include <string>
+
+#include "device/device.hpp"
+
+namespace kreisel {
+
+/// Stored with every result.
+struct Provenance {
+  std::string version, commit, compiler,
+      build_type;  ///< of this program; commit ends in "-dirty" if the tree was
+  std::string host, processor, system;
+  unsigned threads = 0;
+  std::string device, platform, driver, device_version;
+  bool device_fp64 = false, single_precision = false;
+  std::string ipopt_version, linear_solver, blas;
+  std::string started;  ///< UTC, ISO 8601
+};
+
+[[nodiscard]] Provenance make_provenance(const device::Device& device);
+
+}  // namespace kreisel

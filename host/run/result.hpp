@@ -1,0 +1,69 @@
+// result.hpp - what one run gives, ready to be recorded.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "body/frame.hpp"
+#include "run/config.hpp"
+#include "run/provenance.hpp"
+#include "solve/solver.hpp"
+
+namespace kreisel {
+
+/// Seconds of one timed solve. `kernels` (device events) is part of `solve`; total = setup + solve.
+struct Seconds {
+  double setup = 0, kernels = 0, solve = 0, total = 0;
+};
+
+/// What rounding to whole voxels gave, and what it cost. Body units.
+struct RoundingCost {
+  double objective = 0;               ///< after rounding
+  double violation = 0;               ///< largest, after rounding
+  Moments moments = Moments::Zero();  ///< totals
+  std::size_t solid_voxels = 0, void_voxels = 0, mended_voxels = 0;
+};
+
+/// The written part, judged from the file that was written.
+struct Verified {
+  Verdict verdict;
+  std::string file;                   ///< empty: checked on a temporary file
+  Moments moments = Moments::Zero();  ///< of that file, body frame and units
+  double rounding_mismatch =
+      0;  ///< largest |difference| to RoundingCost::moments: must be round-off of the file
+  std::size_t triangles = 0, void_triangles = 0;
+};
+
+/// One finished run.
+struct RunResult {
+  RunConfig config;
+  Provenance provenance;
+
+  // The body and its domain, model units: mm and g.
+  std::string body_name;
+  Frame frame;
+  Vec3 axis = Vec3::UnitZ(), contact = Vec3::Zero();
+  double density = 1;
+  double solid_mass_grams = 0, length_mm = 1, mass_unit_grams = 1;
+  Moments solid = Moments::Zero();     ///< body units
+  Moments fixed = Moments::Zero();     ///< shell, body units
+  Moments interior = Moments::Zero();  ///< whole domain at unit density, body units
+  Grid grid;
+  double wall = 0;                  ///< body units
+  std::vector<Interval> intervals;  ///< of the domain, in the order of the variables
+  std::size_t rays = 0, inside_voxels = 0, interior_voxels = 0;
+  double solid_objective = 0;  ///< f of the solid body, before anything is hollowed
+
+  std::size_t variables = 0;
+  Outcome outcome;               ///< of the last timed solve
+  std::vector<Seconds> samples;  ///< every timed solve
+  Seconds median;                ///< of each column of samples
+  RoundingCost rounding;
+  Verified verified;
+
+  /// Moments of the optimised solid in model units (g, mm) about the model's own origin and axes.
+  [[nodiscard]] Moments model_moments() const;
+};
+
+}  // namespace kreisel

@@ -1,0 +1,164 @@
+#include "solve/ipopt.hpp"
+
+#include <IpoptConfig.h>
+#include <fmt/format.h>
+
+#include <IpIpoptApplication.hpp>
+#include <IpSolveStatistics.hpp>
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+
+#include "error.hpp"
+#include "solve/nlp.hpp"
+
+namespace kreisel {
+namespace {
+
+using Settings = std::map<std::string, std::string>;
+
+/// What we set before the user does. MUMPS' own ordering wants tens of gigabytes for the arrow-shaped systems
+/// of the voxel formulation; approximate minimum degree (0) takes the diagonal first.
+const Settings defaults = {
+    {"print_level", "0"},
+    {"sb", "yes"},
+    {"mumps_pivot_order", "0"},
+    {"hessian_approximation", "exact"},
+};
+
+template <class T>
+bool parse(const std::string& text, T& value) {
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return status == std::errc() && end == text.data() + text.size();
+}
+
+void set_option(Ipopt::IpoptApplication& app, const std::string& name, const std::string& value) {
+  const auto option = app.RegOptions()->GetOption(name);
+  if (!IsValid(option))
+    throw InputError(fmt::format("ipopt.{} = {}; Ipopt has no option of that name", name, value));
+  bool good = false;
+  int integer = 0;
+  double number = 0;
+  switch (option->Type()) {
+    case Ipopt::OT_Integer:
+      good = parse(value, integer) && option->IsValidIntegerSetting(integer) &&
+             app.Options()->SetIntegerValue(name, integer);
+      break;
+    case Ipopt::OT_Number:
+      good = parse(value, number) && option->IsValidNumberSetting(number) &&
+             app.Options()->SetNumericValue(name, number);
+      break;
+    default:
+      good = option->IsValidStringSetting(value) && app.Options()->SetStringValue(name, value);
+  }
+  if (!good)
+    throw InputError(
+        fmt::format("ipopt.{} = {} is not a value Ipopt takes: {}", name, value, option->ShortDescription()));
+}
+
+Termination termination_of(Ipopt::ApplicationReturnStatus status) {
+  switch (status) {
+    case Ipopt::Solve_Succeeded:
+      return Termination::optimal;
+    case Ipopt::Solved_To_Acceptable_Level:
+      return Termination::acceptable;
+    case Ipopt::Infeasible_Problem_Detected:
+      return Termination::infeasible;
+    case Ipopt::User_Requested_Stop:
+      return Termination::interrupted;
+    default:
+      return Termination::failed;
+  }
+}
+
+std::string message_of(Ipopt::ApplicationReturnStatus status) {
+  switch (status) {
+    case Ipopt::Solve_Succeeded:
+      return "solve succeeded";
+    case Ipopt::Solved_To_Acceptable_Level:
+      return "solved to acceptable level";
+    case Ipopt::Infeasible_Problem_Detected:
+      return "converged to a point of local infeasibility";
+    case Ipopt::Search_Direction_Becomes_Too_Small:
+      return "search direction becomes too small";
+    case Ipopt::Maximum_Iterations_Exceeded:
+      return "maximum number of iterations exceeded";
+    case Ipopt::Maximum_CpuTime_Exceeded:
+      return "maximum CPU time exceeded";
+    case Ipopt::Restoration_Failed:
+      return "restoration failed";
+    case Ipopt::User_Requested_Stop:
+      return "stopped by the user";
+    case Ipopt::Not_Enough_Degrees_Of_Freedom:
+      return "too few degrees of freedom";
+    default:
+      return fmt::format("Ipopt status {}", static_cast<int>(status));
+  }
+}
+
+/// Factor on f that makes its largest derivative at the start `reach`.
+///
+/// One variable moves one voxel of perhaps 1e5, so f's derivatives are about 1e-5 while Ipopt's first barrier
+/// parameter (0.1) and multipliers (1) take them to be about 1. Unscaled, the barrier drowns f for the first
+/// iterations and the last barrier parameter leaves a gap of n * 1e-9 / 1e-5. Ipopt's own scaling only
+/// shrinks.
+double natural_scale(const Task& task, const std::vector<double>& start) {
+  constexpr double reach = 10;
+  const Moments s = task.mass.total(task.formulation.moments(start));
+  const Moments weight = task.mass.contrast * task.problem.gradient(s);
+  std::vector<double> gradient(start.size());
+  task.formulation.pull_back(start, {&weight, 1}, gradient);
+  double largest = 0;
+  for (const double g : gradient) largest = std::max(largest, std::abs(g));
+  return largest > 0 ? reach / largest : 1.0;
+}
+
+}  // namespace
+
+Outcome solve_with_ipopt(const Task& task, const SolverOptions& options) {
+  const Ipopt::SmartPtr<Ipopt::IpoptApplication> app = new Ipopt::IpoptApplication(false);
+  app->RethrowNonIpoptException(true);
+  Settings settings = options.own;
+  settings.insert(defaults.begin(), defaults.end());  // what the user gave stays
+  for (const auto& [name, value] : settings) set_option(*app, name, value);
+  const bool lifted = settings.at("hessian_approximation") == "exact";
+
+  std::vector<double> start = task.formulation.start(options.start);
+  if (!settings.contains("obj_scaling_factor"))
+    app->Options()->SetNumericValue("obj_scaling_factor", natural_scale(task, start));
+
+  // Ctrl-C is ours, so Ipopt reads no options file either: everything that counts is in the record.
+  app->Options()->SetStringValue("option_file_name", "");
+  if (app->Initialize("") != Ipopt::Solve_Succeeded) throw InputError("Ipopt refuses its options");
+
+  task.device.reset_kernel_seconds();
+  const auto begin = std::chrono::steady_clock::now();
+  const Ipopt::SmartPtr<Nlp> nlp = lifted ? make_lifted_nlp(task, std::move(start), options.convexify)
+                                          : make_direct_nlp(task, std::move(start));
+  const Ipopt::ApplicationReturnStatus status = app->OptimizeTNLP(GetRawPtr(nlp));
+
+  Outcome outcome;
+  outcome.solve_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  outcome.kernel_seconds = task.device.kernel_seconds();
+  outcome.termination = termination_of(status);
+  outcome.message = message_of(status);
+  outcome.evaluations = nlp->evaluations();
+  outcome.history = nlp->history();
+  outcome.x = nlp->solution().empty() ? task.formulation.start(options.start) : nlp->solution();
+  outcome.moments = task.mass.total(task.formulation.moments(outcome.x));
+  outcome.objective = task.problem.value(outcome.moments);
+  outcome.violation = violation(task.problem, outcome.moments);
+  if (const auto statistics = app->Statistics(); IsValid(statistics)) {
+    outcome.iterations = statistics->IterationCount();
+    Ipopt::Number dual = 0, constraint = 0, complementarity = 0, kkt = 0;
+    statistics->Infeasibilities(dual, constraint, complementarity, kkt);
+    outcome.dual_infeasibility = dual;
+    outcome.complementarity = complementarity;
+  }
+  return outcome;
+}
+
+std::string ipopt_version() { return IPOPT_VERSION; }
+
+}  // namespace kreisel

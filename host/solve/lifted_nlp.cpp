@@ -1,0 +1,151 @@
+// lifted_nlp.cpp - the ten moments as variables: f acts on ten numbers, and only s = s(x) knows the domain.
+#include <algorithm>
+
+#include "solve/nlp.hpp"
+
+namespace kreisel {
+namespace {
+
+constexpr std::size_t ten = 10;
+
+class LiftedNlp final : public Nlp {
+ public:
+  LiftedNlp(const Task& task, std::vector<double> start, bool convexify)
+      : Nlp(task, std::move(start)), convexify_(convexify), linear_(task.formulation.moments_are_linear()) {
+    const auto& c = task.problem.constraints().matrix;
+    for (int r = 0; r < c.rows(); ++r)
+      for (int k = 0; k < c.cols(); ++k)
+        if (c(r, k) != 0) entries_.push_back({r, k, c(r, k)});
+    rows_ = static_cast<std::size_t>(c.rows());
+    for (std::size_t k = 0; k < ten; ++k)
+      weights_.push_back(task.mass.contrast * Moments::Unit(static_cast<int>(k)));
+  }
+
+  bool get_nlp_info(Index& n, Index& m, Index& jac, Index& hess, IndexStyleEnum& style) override {
+    n = static_cast<Index>(n_ + ten);
+    m = static_cast<Index>(ten + rows_ + own_.lower.size());
+    jac = static_cast<Index>(ten * n_ + ten + entries_.size() + own_.entries.size());
+    hess = static_cast<Index>((linear_ ? 0 : n_) + ten * (ten + 1) / 2);
+    style = C_STYLE;
+    return true;
+  }
+
+  bool get_bounds_info(Index, Number* x_l, Number* x_u, Index, Number* g_l, Number* g_u) override {
+    fill_bounds(x_l, x_u);
+    std::fill_n(x_l + n_, ten, -infinity);
+    std::fill_n(x_u + n_, ten, infinity);
+    std::fill_n(g_l, ten, 0.0);
+    std::fill_n(g_u, ten, 0.0);
+    const LinearConstraints& c = task_.problem.constraints();
+    std::copy_n(c.lower.data(), rows_, g_l + ten);
+    std::copy_n(c.upper.data(), rows_, g_u + ten);
+    own_row_bounds(g_l + ten + rows_, g_u + ten + rows_);
+    return true;
+  }
+
+  bool get_starting_point(Index, bool, Number* x, bool, Number*, Number*, Index, bool, Number*) override {
+    std::ranges::copy(start_, x);
+    const Moments s = task_.mass.total(task_.formulation.moments(start_));
+    std::copy_n(s.data(), ten, x + n_);
+    return true;
+  }
+
+  bool eval_f(Index, const Number* x, bool, Number& value) override {
+    ++evaluations_.objective;
+    value = task_.problem.value(lifted(x));
+    return true;
+  }
+
+  bool eval_grad_f(Index, const Number* x, bool, Number* gradient) override {
+    ++evaluations_.gradient;
+    std::fill_n(gradient, n_, 0.0);
+    const Moments g = task_.problem.gradient(lifted(x));
+    std::copy_n(g.data(), ten, gradient + n_);
+    return true;
+  }
+
+  bool eval_g(Index, const Number* x, bool, Index, Number* g) override {
+    ++evaluations_.constraints;
+    const Moments s = lifted(x);
+    const Moments gap = task_.mass.total(task_.formulation.moments(variables(x))) - s;
+    std::copy_n(gap.data(), ten, g);
+    const Eigen::VectorXd value = task_.problem.constraints().matrix * s;
+    std::copy_n(value.data(), rows_, g + ten);
+    own_rows(x, g + ten + rows_);
+    return true;
+  }
+
+  bool eval_jac_g(Index, const Number* x, bool, Index, Index, Index* row, Index* column,
+                  Number* values) override {
+    const Index s = static_cast<Index>(n_);
+    if (!values) {
+      const auto put = [&](std::size_t r, std::size_t c) {
+        *row++ = static_cast<Index>(r);
+        *column++ = static_cast<Index>(c);
+      };
+      for (std::size_t k = 0; k < ten; ++k)
+        for (std::size_t i = 0; i < n_; ++i) put(k, i);
+      for (std::size_t k = 0; k < ten; ++k) put(k, n_ + k);
+      for (const SparseRows::Entry& e : entries_) put(ten + e.row, static_cast<std::size_t>(s + e.column));
+      own_structure(static_cast<Index>(ten + rows_), row, column);
+      return true;
+    }
+    ++evaluations_.jacobian;
+    if (linear_ && !constant_.empty()) {
+      std::ranges::copy(constant_, values);
+    } else {
+      task_.formulation.pull_back(variables(x), weights_, {values, ten * n_});
+      if (linear_) constant_.assign(values, values + ten * n_);
+    }
+    values += ten * n_;
+    values = std::fill_n(values, ten, -1.0);
+    for (const SparseRows::Entry& e : entries_) *values++ = e.value;
+    own_values(values);
+    return true;
+  }
+
+  bool eval_h(Index, const Number* x, bool, Number factor, Index, const Number* lambda, bool, Index,
+              Index* row, Index* column, Number* values) override {
+    if (!values) {
+      if (!linear_)
+        for (std::size_t i = 0; i < n_; ++i) *row++ = *column++ = static_cast<Index>(i);
+      for (std::size_t a = 0; a < ten; ++a)
+        for (std::size_t b = 0; b <= a; ++b) {
+          *row++ = static_cast<Index>(n_ + a);
+          *column++ = static_cast<Index>(n_ + b);
+        }
+      return true;
+    }
+    ++evaluations_.hessian;
+    if (!linear_) {
+      const Moments weight = task_.mass.contrast * Eigen::Map<const Moments>(lambda);
+      task_.formulation.curvature(variables(x), weight, {values, n_});
+      if (convexify_)
+        for (std::size_t i = 0; i < n_; ++i) values[i] = std::max(values[i], 0.0);
+      values += n_;
+    }
+    const Matrix10 h = factor * task_.problem.hessian(lifted(x));
+    for (int a = 0; a < h.rows(); ++a)
+      for (int b = 0; b <= a; ++b) *values++ = h(a, b);
+    return true;
+  }
+
+ private:
+  static constexpr double infinity = 2e19;  // Ipopt's nlp_upper_bound_inf is 1e19
+
+  [[nodiscard]] Moments lifted(const Number* x) const { return Eigen::Map<const Moments>(x + n_); }
+
+  bool convexify_, linear_;
+  std::size_t rows_ = 0;
+  std::vector<SparseRows::Entry> entries_;  ///< non-zeros of C
+  std::vector<Moments> weights_;
+  std::vector<double> constant_;  ///< ds/dx of a linear formulation
+};
+
+}  // namespace
+
+Ipopt::SmartPtr<Nlp> make_lifted_nlp(const Task& task, std::vector<double> start, bool convexify) {
+  return new LiftedNlp(task, std::move(start), convexify);
+}
+
+}  // namespace kreisel

@@ -1,0 +1,54 @@
+#include "solve/nlp.hpp"
+
+#include <algorithm>
+
+#include "solve/interrupt.hpp"
+
+namespace kreisel {
+
+bool Nlp::intermediate_callback(Ipopt::AlgorithmMode, Index iteration, Number objective, Number inf_pr,
+                                Number inf_du, Number mu, Number, Number regularization, Number, Number,
+                                Index ls_trials, const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) {
+  history_.push_back({iteration, objective, inf_pr, inf_du, mu, regularization, ls_trials});
+  return !interrupted();
+}
+
+void Nlp::finalize_solution(Ipopt::SolverReturn, Index, const Number* x, const Number*, const Number*, Index,
+                            const Number*, const Number*, Number, const Ipopt::IpoptData*,
+                            Ipopt::IpoptCalculatedQuantities*) {
+  // Ipopt relaxes bounds by bound_relax_factor; the answer has to keep them.
+  solution_.assign(x, x + n_);
+  const Bounds& bounds = task_.formulation.bounds();
+  for (std::size_t i = 0; i < n_; ++i)
+    solution_[i] = std::clamp(solution_[i], bounds.lower[i], bounds.upper[i]);
+}
+
+void Nlp::fill_bounds(Number* lower, Number* upper) const {
+  std::ranges::copy(task_.formulation.bounds().lower, lower);
+  std::ranges::copy(task_.formulation.bounds().upper, upper);
+}
+
+Nlp::Index Nlp::own_structure(Index row, Index* i, Index* j) const {
+  for (const SparseRows::Entry& entry : own_.entries) {
+    *i++ = row + entry.row;
+    *j++ = entry.column;
+  }
+  return static_cast<Index>(own_.entries.size());
+}
+
+Nlp::Index Nlp::own_values(Number* values) const {
+  for (const SparseRows::Entry& entry : own_.entries) *values++ = entry.value;
+  return static_cast<Index>(own_.entries.size());
+}
+
+void Nlp::own_rows(const Number* x, Number* g) const {
+  std::fill_n(g, own_.lower.size(), 0.0);
+  for (const SparseRows::Entry& entry : own_.entries) g[entry.row] += entry.value * x[entry.column];
+}
+
+void Nlp::own_row_bounds(Number* lower, Number* upper) const {
+  std::ranges::copy(own_.lower, lower);
+  std::ranges::copy(own_.upper, upper);
+}
+
+}  // namespace kreisel

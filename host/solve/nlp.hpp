@@ -1,0 +1,68 @@
+// nlp.hpp - what the two Ipopt forms of a task have in common.
+#pragma once
+
+#include <IpTNLP.hpp>
+#include <span>
+#include <vector>
+
+#include "solve/solver.hpp"
+
+namespace kreisel {
+
+/// Bookkeeping of a solve: start point, iterates, final x. The forms add functions and derivatives.
+class Nlp : public Ipopt::TNLP {
+ public:
+  using Index = Ipopt::Index;
+  using Number = Ipopt::Number;
+
+  Nlp(const Task& task, std::vector<double> start)
+      : task_(task),
+        n_(task.formulation.num_variables()),
+        start_(std::move(start)),
+        own_(task.formulation.own_constraints()) {}
+
+  [[nodiscard]] const std::vector<double>& solution() const { return solution_; }
+  [[nodiscard]] const Evaluations& evaluations() const { return evaluations_; }
+  [[nodiscard]] const std::vector<Iterate>& history() const { return history_; }
+
+  bool intermediate_callback(Ipopt::AlgorithmMode mode, Index iteration, Number objective, Number inf_pr,
+                             Number inf_du, Number mu, Number d_norm, Number regularization, Number alpha_du,
+                             Number alpha_pr, Index ls_trials, const Ipopt::IpoptData* data,
+                             Ipopt::IpoptCalculatedQuantities* quantities) override;
+  void finalize_solution(Ipopt::SolverReturn status, Index n, const Number* x, const Number* z_L,
+                         const Number* z_U, Index m, const Number* g, const Number* lambda, Number objective,
+                         const Ipopt::IpoptData* data, Ipopt::IpoptCalculatedQuantities* quantities) override;
+
+ protected:
+  [[nodiscard]] std::span<const double> variables(const Number* x) const { return {x, n_}; }
+  void fill_bounds(Number* lower, Number* upper) const;
+  /// Structure and values of the formulation's own rows, the first of which is `row`; returns how many were
+  /// written.
+  Index own_structure(Index row, Index* i, Index* j) const;
+  Index own_values(Number* values) const;
+  void own_rows(const Number* x, Number* g) const;
+  void own_row_bounds(Number* lower, Number* upper) const;
+
+  Task task_;
+  std::size_t n_;
+  std::vector<double> start_;
+  SparseRows own_;
+  Evaluations evaluations_;
+
+ private:
+  std::vector<double> solution_;
+  std::vector<Iterate> history_;
+};
+
+/// min f(s(x)) s.t. the problem's and the formulation's constraints; gradients only.
+Ipopt::SmartPtr<Nlp> make_direct_nlp(const Task& task, std::vector<double> start);
+
+/// min f(s) over (x, s) s.t. s = s(x) and the same constraints; exact Hessian.
+///
+/// @param convexify  raise the negative entries of the diagonal of d2/dx2 to zero. A ray's end is then, at
+/// worst,
+///                   linear, like a voxel's fill, and the barrier alone curves it: no inertia to correct. At
+///                   a minimum the entries of free variables are positive, so the end stays quadratic.
+Ipopt::SmartPtr<Nlp> make_lifted_nlp(const Task& task, std::vector<double> start, bool convexify);
+
+}  // namespace kreisel

@@ -1,0 +1,79 @@
+// solver.hpp - finds the variables: what every solver takes and gives.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "body/body.hpp"
+#include "formulation/formulation.hpp"
+#include "problem/problem.hpp"
+
+namespace kreisel {
+
+enum class Termination { optimal, acceptable, infeasible, failed, interrupted };
+
+/// The name used in files and on the command line.
+[[nodiscard]] std::string_view to_string(Termination termination);
+
+/// One iteration, as the solver reports it.
+struct Iterate {
+  int iteration;
+  double objective, violation, dual_infeasibility, barrier;
+  double regularization;  ///< added to the Hessian to mend its inertia; 0 when not needed
+  int line_search_trials;
+};
+
+/// How often each callback ran.
+struct Evaluations {
+  int objective = 0, gradient = 0, constraints = 0, jacobian = 0, hessian = 0;
+};
+
+/// The full summary of a solve. Body units.
+struct Outcome {
+  Termination termination = Termination::failed;
+  std::string message;  ///< the solver's own words
+  int iterations = 0;
+  std::vector<double> x;
+  Moments moments = Moments::Zero();                   ///< totals, recomputed from x
+  double objective = 0;                                ///< f(moments)
+  double violation = 0;                                ///< largest constraint violation at `moments`
+  double dual_infeasibility = 0, complementarity = 0;  ///< as the solver scales them
+  double kernel_seconds = 0, solve_seconds = 0;        ///< the first is part of the second
+  Evaluations evaluations;
+  std::vector<Iterate> history;
+};
+
+/// What is to be solved; all parts outlive the solve.
+struct Task {
+  const Problem& problem;
+  Formulation& formulation;
+  const MassModel& mass;
+  device::Device& device;
+};
+
+struct SolverOptions {
+  Start start = Start::middle;
+  /// Drop the negative curvature of the moments: the model of every variable stays convex.
+  bool convexify = true;
+  std::map<std::string, std::string> own;  ///< passed to the solver by name: `--set ipopt.NAME=VALUE`
+};
+
+/// From `--set solver.NAME=VALUE`: start = lower | middle | upper, curvature = convex | full.
+/// @throws InputError  another name or value
+[[nodiscard]] SolverOptions parse_solver_options(const std::map<std::string, std::string>& settings);
+
+struct SolverEntry {
+  std::string_view name, summary;
+  Outcome (*solve)(const Task& task, const SolverOptions& options);
+  /// Names of the formulations it works with.
+  std::vector<std::string_view> formulations;
+};
+
+[[nodiscard]] const std::vector<SolverEntry>& solvers();
+
+/// @throws InputError  unknown solver, or one that cannot work with the formulation
+[[nodiscard]] const SolverEntry& find_solver(std::string_view name, std::string_view formulation);
+
+}  // namespace kreisel

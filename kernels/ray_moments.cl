@@ -1,0 +1,85 @@
+// ray_moments.cl - ten moments of the solid segments of a bundle of rays, and their derivatives. [RayRep, s. 3.1]
+//
+// in    x        real  [2*n]       z0, z1 of each ray, interleaved, in units of p.unit
+// in    column   uint  [n]         ix | iy << 16
+// out   partial  accum [groups*10] one row a work-group, order s1 sx sy sz sxy syz sxz sxx syy szz
+// build WG, KREISEL_SINGLE         see real.h
+// sum   a block of elements a group, reduce10 at its end: fixed order, no atomics
+// rays are h x h columns: sxx and syy carry h^2/12 per column; the integral along z is exact
+#include "ray_moments_params.h"
+#include "reduce10.h"
+
+typedef struct { real x, y, area; } Column;
+
+static inline Column column_at(const RayParams* p, uint packed) {
+  Column c;
+  c.x = p->ox + p->h * (real)(packed & 0xffffu);
+  c.y = p->oy + p->h * (real)(packed >> 16);
+  c.area = p->h * p->h;
+  return c;
+}
+
+// Coefficients of sum_k w_k t_k(x, y, z) averaged over the column: a[0] + a[1] z + a[2] z^2.
+static inline void along_ray(const RayParams* p, Column c, global const real* w, real* a) {
+  const real hh = p->h * p->h / 12;
+  a[0] = w[0] + w[1] * c.x + w[2] * c.y + w[4] * c.x * c.y + w[7] * (c.x * c.x + hh) + w[8] * (c.y * c.y + hh);
+  a[1] = w[3] + w[5] * c.y + w[6] * c.x;
+  a[2] = w[9];
+}
+
+kernel __attribute__((reqd_work_group_size(WG, 1, 1))) void ray_moments(RayParams p, global const real* x,
+                                                                        global const uint* column,
+                                                                        global accum* partial) {
+  local accum scratch[10 * WG];
+  accum s[10];
+  for (int k = 0; k < 10; ++k) s[k] = ACCUM_ZERO;
+  const real hh = p.h * p.h / 12;
+  for (int i = block_begin(p.block); i < block_end(p.block, p.n); i += WG) {
+    const Column c = column_at(&p, column[i]);
+    const real z0 = p.unit * x[2 * i], z1 = p.unit * x[2 * i + 1];
+    // Written with the factor (z1 - z0), so that thin segments keep their digits.
+    const real len = c.area * (z1 - z0);
+    const real mid = len * (z0 + z1) / 2;
+    s[0] = accum_add(s[0], len);
+    s[1] = accum_add(s[1], c.x * len);
+    s[2] = accum_add(s[2], c.y * len);
+    s[3] = accum_add(s[3], mid);
+    s[4] = accum_add(s[4], c.x * c.y * len);
+    s[5] = accum_add(s[5], c.y * mid);
+    s[6] = accum_add(s[6], c.x * mid);
+    s[7] = accum_add(s[7], (c.x * c.x + hh) * len);
+    s[8] = accum_add(s[8], (c.y * c.y + hh) * len);
+    s[9] = accum_add(s[9], len * (z0 * z0 + z0 * z1 + z1 * z1) / 3);
+  }
+  reduce10(s, scratch, partial);
+}
+
+// (ds/dx)^T w for each of p.rows weight rows: out[r*2n + j] = sum_k w[r*10+k] ds_k/dx_j.
+kernel void ray_pull_back(RayParams p, global const real* x, global const uint* column, global const real* w,
+                          global real* out) {
+  const int i = get_global_id(0);
+  if (i >= p.n) return;
+  const Column c = column_at(&p, column[i]);
+  const real z0 = p.unit * x[2 * i], z1 = p.unit * x[2 * i + 1];
+  const real scale = p.unit * c.area;
+  for (int r = 0; r < p.rows; ++r) {
+    real a[3];
+    along_ray(&p, c, w + 10 * r, a);
+    global real* row = out + (size_t)r * 2 * p.n;
+    row[2 * i] = -scale * (a[0] + z0 * (a[1] + z0 * a[2]));
+    row[2 * i + 1] = scale * (a[0] + z1 * (a[1] + z1 * a[2]));
+  }
+}
+
+// Diagonal of sum_k w_k d2s_k/dx2, which has no other entries: out[j], j < 2n.
+kernel void ray_curvature(RayParams p, global const real* x, global const uint* column, global const real* w,
+                          global real* out) {
+  const int i = get_global_id(0);
+  if (i >= p.n) return;
+  const Column c = column_at(&p, column[i]);
+  real a[3];
+  along_ray(&p, c, w, a);
+  const real scale = p.unit * p.unit * c.area;
+  out[2 * i] = -scale * (a[1] + 2 * a[2] * p.unit * x[2 * i]);
+  out[2 * i + 1] = scale * (a[1] + 2 * a[2] * p.unit * x[2 * i + 1]);
+}

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Installs the Debian 12 packages that Kreisel builds and runs with; skips what is there, and uses sudo only when
+# not root.   ./setup.sh          what is needed to build, run, test and plot
+#             ./setup.sh --ci     and what only CI needs (formatting)
+set -euo pipefail
+
+packages=(
+  g++ cmake ninja-build git pkg-config                                # build
+  opencl-clhpp-headers ocl-icd-opencl-dev pocl-opencl-icd             # OpenCL and its CPU device
+  libeigen3-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
+  libopenmesh-dev libembree-dev libhdf5-dev
+  coinor-libipopt-dev libopenblas0-pthread                            # Ipopt with MUMPS; OpenBLAS speeds MUMPS up
+  libgtest-dev
+  python3-h5py python3-matplotlib                                     # plots and the records' tests
+)
+case "${1:-}" in
+  "") ;;
+  --ci) packages+=(clang-format) ;;
+  *) echo "setup.sh: unknown option '$1'; expected --ci or nothing" >&2; exit 2 ;;
+esac
+
+missing=()
+for package in "${packages[@]}"; do
+  [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  exit 0
+fi
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || { echo "setup.sh: needs root or sudo to install: ${missing[*]}" >&2; exit 1; }
+  as_root=(sudo)
+fi
+echo "setup.sh: installing ${missing[*]}"
+"${as_root[@]}" apt-get update -qq
+DEBIAN_FRONTEND=noninteractive "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
