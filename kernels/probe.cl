@@ -1,7 +1,7 @@
 // probe.cl - the two ceilings a kernel runs against: memory traffic and arithmetic.
 //
 // copy       in, out  real4 [n]  one read and one write of 4 reals an item
-// flops      out      real  [n]  `rounds` x 16 independent chains of one fused multiply-add, kept in registers
+// flops      out      real  [n]  `rounds` x 64 independent chains of one fused multiply-add, kept in registers
 // build      KREISEL_SINGLE      see real.h
 #include "real.h"
 #ifdef KREISEL_SINGLE
@@ -19,13 +19,15 @@ kernel void probe_copy(global const real4* in, global real4* out) {
 
 kernel void probe_flops(int rounds, real a, real b, global real* out) {
   const size_t i = get_global_id(0);
-  // Two 16-wide chains hide the latency of a fused multiply-add on CPUs; a GPU hides it by its other work-items.
-  real16 x = (real16)((real)i) + (real16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15), y = x + (real)0.5;
+  // Four 16-wide chains hide the latency of a fused multiply-add on CPUs; a GPU hides it by its other work-items.
+  const real16 lane = (real16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+  real16 x = lane + (real)i, y = x + (real)0.25, u = x + (real)0.5, v = x + (real)0.75;
   for (int r = 0; r < rounds; ++r) {
     x = fma(x, (real16)(a), (real16)(b));
     y = fma(y, (real16)(a), (real16)(b));
+    u = fma(u, (real16)(a), (real16)(b));
+    v = fma(v, (real16)(a), (real16)(b));
   }
-  x += y;
-  const real16 z = x;
+  const real16 z = (x + y) + (u + v);
   out[i] = z.s0 + z.s1 + z.s2 + z.s3 + z.s4 + z.s5 + z.s6 + z.s7 + z.s8 + z.s9 + z.sa + z.sb + z.sc + z.sd + z.se + z.sf;
 }

@@ -42,7 +42,7 @@ double flop_rate(Device& device, bool single) {
   const std::size_t items =
       static_cast<std::size_t>(device.info().compute_units) * 64 * (device.info().gpu ? 64 : 4);
   const cl::Buffer out(device.context(), CL_MEM_WRITE_ONLY, items * sizeof(double));
-  constexpr int rounds = 20000;
+  constexpr int rounds = 10000;  // of 64 multiply-adds, 2 flops each
   kernel.setArg(0, rounds);
   if (single) {
     kernel.setArg(1, 0.999f);
@@ -52,7 +52,7 @@ double flop_rate(Device& device, bool single) {
     kernel.setArg(2, 0.001);
   }
   kernel.setArg(3, out);
-  return static_cast<double>(items) * rounds * 32 * 2 / median_seconds(device, kernel, items);
+  return static_cast<double>(items) * rounds * 64 * 2 / median_seconds(device, kernel, items);
 }
 
 /// Seconds of `work(thread)` on every hardware thread at once, median of several.
@@ -76,7 +76,8 @@ constexpr int chains = 64;
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
 __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #endif
-double multiply_adds(double a, double b, unsigned seed, int rounds) {
+double
+multiply_adds(double a, double b, unsigned seed, int rounds) {
   double x[chains];
   for (int c = 0; c < chains; ++c) x[c] = c + seed;
   for (int r = 0; r < rounds; ++r)
@@ -96,9 +97,7 @@ std::size_t host_cache_bytes() {
 
 Ceilings measure(Device& device) {
   Ceilings result;
-  // The runtime's figure is a GPU's L2; for a CPU the system knows better.
-  result.cache_bytes =
-      std::max<std::size_t>(device.info().cache_bytes, device.info().gpu ? 0 : host_cache_bytes());
+  result.cache_bytes = device.info().cache_bytes ? device.info().cache_bytes : host_cache_bytes();
   const std::size_t wanted = 10 * std::max<std::size_t>(result.cache_bytes, std::size_t{4} << 20);
   result.array_bytes = std::min<std::size_t>(wanted, device.info().memory_bytes / 8) / 4096 * 4096;
 

@@ -75,13 +75,16 @@ Columns make_columns(const Body& body, const GridSpec& spec, const Wall& wall) {
 
   const auto crossings = column_crossings(body.local, grid);
   const SurfaceDistance distance(body.local);
+  // A flat side on the grid puts a whole layer of centres exactly as deep as the wall; round-off must not
+  // decide for each of them.
+  const double shell = domain.wall - 1e-9 * grid.h;
   for (int iy = 0; iy < grid.n[1]; ++iy)
     for (int ix = 0; ix < grid.n[0]; ++ix) {
       const std::size_t first = domain.intervals.size();
       for_each_inside(crossings[ix + static_cast<std::size_t>(grid.n[0]) * iy], grid, [&](int k) {
         ++domain.inside_voxels;
         const Vec3 centre(grid.centre(0, ix), grid.centre(1, iy), grid.centre(2, k));
-        if (distance(centre, domain.wall) < domain.wall) return;
+        if (distance(centre, shell) < shell) return;
         ++domain.interior_voxels;
         if (domain.intervals.size() > first && domain.intervals.back().k1 == k)
           domain.intervals.back().k1 = k + 1;

@@ -195,7 +195,7 @@ std::vector<fs::path> experiment_folders() {
   try {
     folders.push_back(data_folder() / "experiments");
   } catch (const InputError&) {
-    // The message about the experiment that was asked for says more.
+    // find_experiment() tells when it finds nothing here either.
   }
   return folders;
 }
@@ -222,6 +222,7 @@ fs::path find_experiment(const std::string& name_or_path) {
     for (const fs::path& folder : experiment_folders())
       if (fs::path file = folder / with_extension(name_or_path); fs::is_regular_file(file, ignored))
         return file;
+  (void)data_folder();  // a folder that is missing is the nearer reason: throws
   const auto names = experiment_names();
   throw InputError(fmt::format("experiment '{}': no such file, expected a TOML file{}", name_or_path,
                                names.empty() ? "" : fmt::format(" or one of {}", fmt::join(names, ", "))));

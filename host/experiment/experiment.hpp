@@ -45,7 +45,7 @@ struct Experiment {
 
 /// The file of an experiment: the path itself, else experiments/NAME.toml here, else in data_folder().
 ///
-/// @throws InputError  none of them; lists the names there are
+/// @throws InputError  none of them; lists the names there are, or says that there is no data folder
 [[nodiscard]] std::filesystem::path find_experiment(const std::string& name_or_path);
 
 /// Names that find_experiment() accepts, sorted.

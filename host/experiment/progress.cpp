@@ -91,10 +91,10 @@ void ProgressLine::step(const std::string& text) {
   if (terminal_ && running_) draw();
 }
 
-double ProgressLine::end() {
+double ProgressLine::end(bool counts) {
   const std::lock_guard lock(mutex_);
   const double seconds = elapsed();
-  estimate_.finished(runs_.at(index_), seconds);
+  if (counts) estimate_.finished(runs_.at(index_), seconds);
   running_ = false;
   if (terminal_) erase();
   return seconds;

@@ -46,8 +46,9 @@ class ProgressLine {
 
   void begin(std::size_t index);
   void step(const std::string& text);
-  /// The run that began last is over, well or not; returns its wall seconds.
-  double end();
+  /// The run that began last is over; returns its wall seconds.
+  /// @param counts  whether estimates may rest on it; a run that failed was shorter than its like
+  double end(bool counts);
   /// A line that stays. Only on a terminal.
   void note(const std::string& line);
 

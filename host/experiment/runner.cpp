@@ -170,7 +170,7 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
     } catch (...) {  // Ipopt's own are no std::exception
       error = "unknown exception";
     }
-    const double seconds = progress.end();
+    const double seconds = progress.end(result.has_value());
 
     if (result && result->outcome.termination != Termination::interrupted) {
       mesh.keep(*result);

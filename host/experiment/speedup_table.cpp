@@ -156,11 +156,11 @@ std::vector<RecordedRun> members(const Group& group) {
 
 std::string group_text(const Group& group, const std::optional<Published>& published) {
   TextTable table({{"", "model, grid", true},
-                   {"ray-rep", "variables"},
+                   {"ray-rep", "vars"},
                    {"ray-rep", "seconds"},
                    {"ray-rep", "iter"},
                    {"ray-rep", "f"},
-                   {"voxel", "variables"},
+                   {"voxel", "vars"},
                    {"voxel", "seconds"},
                    {"voxel", "iter"},
                    {"voxel", "f"},
@@ -168,8 +168,8 @@ std::string group_text(const Group& group, const std::optional<Published>& publi
                    {"speed-up", "here"},
                    {"speed-up", "paper"},
                    {"speed-up", "ratio"},
-                   {"variables, %", "ray"},
-                   {"variables, %", "voxel"}});
+                   {"vars, %", "ray"},
+                   {"vars, %", "voxel"}});
   std::string notes;
   for (const Row& row : group.rows) {
     std::vector<std::string> cells = {row.model + ' ' + row.grid};
@@ -198,9 +198,10 @@ std::string speedup_table(const std::vector<RecordedRun>& runs, const std::optio
   for (const Group& group : groups_of(runs, published)) text += group_text(group, published) + '\n';
   text +=
       "seconds: median ± half the interquartile range of the solve, set-up excluded; f: objective; diff %: "
-      "ray-rep's f above voxel's;\nspeed-up: voxel seconds / ray-rep seconds; ratio: here / paper; "
-      "variables, %: "
-      "our counts above the paper's\n";
+      "ray-rep's f above voxel's;\n"
+      "speed-up: voxel seconds / ray-rep seconds; ratio: here / paper; vars, %: our counts of variables "
+      "above the "
+      "paper's\n";
   if (published) text += published->source + '\n';
   return text;
 }

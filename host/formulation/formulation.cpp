@@ -1,6 +1,7 @@
 #include "formulation/formulation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "error.hpp"
 #include "formulation/rayrep.hpp"
@@ -32,15 +33,20 @@ const std::vector<FormulationEntry>& formulations() {
   return all;
 }
 
+const FormulationEntry& find_formulation(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const FormulationEntry& entry : formulations()) {
+    if (entry.name == name) return entry;
+    names.push_back(entry.name);
+  }
+  throw InputError(
+      fmt::format("formulation '{}' is unknown; expected one of: {}", name, fmt::join(names, ", ")));
+}
+
 std::unique_ptr<Formulation> make_formulation(std::string_view name, const Columns& domain,
                                               const Traits& traits, const FormulationSettings& settings,
                                               device::Device& device) {
-  std::string names;
-  for (const FormulationEntry& entry : formulations()) {
-    if (entry.name == name) return entry.make(domain, traits, settings, device);
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", entry.name);
-  }
-  throw InputError(fmt::format("formulation '{}' is unknown; expected one of: {}", name, names));
+  return find_formulation(name).make(domain, traits, settings, device);
 }
 
 }  // namespace kreisel

@@ -80,7 +80,10 @@ struct FormulationEntry {
 
 [[nodiscard]] const std::vector<FormulationEntry>& formulations();
 
-/// @throws InputError  unknown formulation (names those there are), unknown or unfit setting
+/// @throws InputError  unknown formulation (names those there are)
+[[nodiscard]] const FormulationEntry& find_formulation(std::string_view name);
+
+/// @throws InputError  unknown formulation, unknown or unfit setting
 [[nodiscard]] std::unique_ptr<Formulation> make_formulation(std::string_view name, const Columns& domain,
                                                             const Traits& traits,
                                                             const FormulationSettings& settings,

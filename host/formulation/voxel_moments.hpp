@@ -29,8 +29,8 @@ class VoxelMoments {
   /// out[r * n + i] = sum_k weights[r][k] ds_k/dfill_i.
   void pull_back(std::span<const Moments> weights, std::span<double> out);
 
-  /// Relative to the sum of absolute terms: 12 roundings a term, and the summation.
-  [[nodiscard]] double bound() const { return 12 * device_->unit_roundoff() + rows_.summation_bound(); }
+  /// Relative to the sum of absolute terms: 16 roundings a term, and the summation.
+  [[nodiscard]] double bound() const { return 16 * device_->unit_roundoff() + rows_.summation_bound(); }
 
  private:
   device::Device* device_;

@@ -1,11 +1,14 @@
 #include "problem/spin.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string_view>
+#include <vector>
 
 #include "error.hpp"
 
@@ -134,11 +137,11 @@ Verdict Spin::verify(const Moments& s, double length_mm) const {
     verdict.text = "spins: " + where;
     if (std::isfinite(omega_min)) verdict.text += fmt::format("; stable above {:.0f} rpm", omega_min);
   } else {
-    verdict.text = fmt::format("does not spin ({}{}{}): {}",
-                               centred ? "" : "centre of mass off the axis by more than 1e-3 L; ",
-                               upright ? "" : "axis not principal within 0.1 degrees; ",
-                               largest ? "" : "Izz is not the largest principal moment; ", where);
-    if (const auto tail = verdict.text.find("; )"); tail != std::string::npos) verdict.text.erase(tail, 2);
+    std::vector<std::string_view> reasons;
+    if (!centred) reasons.push_back("centre of mass off the axis by more than 1e-3 L");
+    if (!upright) reasons.push_back("axis not principal within 0.1 degrees");
+    if (!largest) reasons.push_back("Izz is not the largest principal moment");
+    verdict.text = fmt::format("does not spin ({}): {}", fmt::join(reasons, "; "), where);
   }
   return verdict;
 }
@@ -146,9 +149,9 @@ Verdict Spin::verify(const Moments& s, double length_mm) const {
 std::unique_ptr<Problem> make_spin(const ProblemSettings& settings) {
   SpinOptions options;
   for (const auto& [name, value] : settings) {
-    if (name == "lambda" && value >= 0)
+    if (name == "lambda" && value >= 0 && std::isfinite(value))
       options.lambda = value;
-    else if (name == "gamma_i" && value > 0)
+    else if (name == "gamma_i" && value > 0 && std::isfinite(value))
       options.gamma_i = value;
     else
       throw InputError(

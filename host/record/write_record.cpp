@@ -146,7 +146,7 @@ void write_solve(Group group, const RunResult& r) {
   group.set("budget_units", "s");
   write_variables(group, r);
   write_moments(group, "moments", o.moments);
-  write_moments(group, "moments_model", r.model_moments(), model_moment_units);
+  write_moments(group, "moments_model", r.model_moments(o.moments), model_moment_units);
   write_history(group, o.history);
   write_seconds(group, "samples", r.samples);
   write_seconds(group, "median", {r.median});

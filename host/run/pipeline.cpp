@@ -114,7 +114,8 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
     }
     return numbers;
   }());
-  const SolverEntry& solver = find_solver(config.solver, config.formulation);
+  const FormulationEntry& way = find_formulation(config.formulation);
+  const SolverEntry& solver = find_solver(config.solver, way.name);
   SolverOptions options = parse_solver_options(settings_of(config, "solver"));
   options.own = settings_of(config, config.solver);
   device::Device device(config.device,
@@ -125,8 +126,8 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   const Body body = make_body(config.body, device);
   const Columns domain = make_columns(body, config.grid, config.wall);
   const MassModel mass = hollowed(body, domain.interior);
-  const std::unique_ptr<Formulation> formulation = make_formulation(
-      config.formulation, domain, problem->traits(), settings_of(config, "formulation"), device);
+  const std::unique_ptr<Formulation> formulation =
+      way.make(domain, problem->traits(), settings_of(config, "formulation"), device);
   warm_up(*formulation);
   const double setup_seconds = setup.seconds();
 

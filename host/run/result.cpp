@@ -4,11 +4,10 @@
 
 namespace kreisel {
 
-Moments RunResult::model_moments() const {
+Moments RunResult::model_moments(const Moments& body) const {
   // Body units -> mm and grams, then x = R^T X L + origin.
-  const Moments turned =
-      transformed(scaled(outcome.moments, frame.length, mass_unit_grams / std::pow(frame.length, 3)),
-                  frame.rotation.transpose(), frame.origin);
+  const Moments turned = transformed(scaled(body, frame.length, mass_unit_grams / std::pow(frame.length, 3)),
+                                     frame.rotation.transpose(), frame.origin);
   return turned;
 }
 

@@ -62,8 +62,8 @@ struct RunResult {
   RoundingCost rounding;
   Verified verified;
 
-  /// Moments of the optimised solid in model units (g, mm) about the model's own origin and axes.
-  [[nodiscard]] Moments model_moments() const;
+  /// Body-frame moments in model units (g, mm) about the model's own origin and axes.
+  [[nodiscard]] Moments model_moments(const Moments& body) const;
 };
 
 }  // namespace kreisel

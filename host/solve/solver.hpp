@@ -39,7 +39,7 @@ struct Outcome {
   Moments moments = Moments::Zero();                   ///< totals, recomputed from x
   double objective = 0;                                ///< f(moments)
   double violation = 0;                                ///< largest constraint violation at `moments`
-  double dual_infeasibility = 0, complementarity = 0;  ///< as the solver scales them
+  double dual_infeasibility = 0, complementarity = 0;  ///< of the problem as it is posed, unscaled
   double kernel_seconds = 0, solve_seconds = 0;        ///< the first is part of the second
   Evaluations evaluations;
   std::vector<Iterate> history;

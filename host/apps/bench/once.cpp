@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "apps/bench/commands.hpp"
@@ -19,11 +20,11 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
              r.config.solver, r.provenance.device,
              r.provenance.single_precision ? " (single precision, compensated)" : "");
   fmt::print(
-      "  body       {:.1f} x {:.1f} x {:.1f} mm, {:.2f} g solid; axis {:.4g},{:.4g},{:.4g} through "
+      "  body       {:.4g} x {:.4g} x {:.4g} mm, {:.4g} g solid; axis {:.4g},{:.4g},{:.4g} through "
       "{:.2f},{:.2f},{:.2f}\n",
       size[0], size[1], size[2], r.solid_mass_grams, r.axis[0], r.axis[1], r.axis[2], r.contact[0],
       r.contact[1], r.contact[2]);
-  fmt::print("  domain     columns {} x {} x {} of {:.3f} mm, wall {} = {:.2f} mm: {} rays, {} voxels\n",
+  fmt::print("  domain     columns {} x {} x {} of {:.4g} mm, wall {} = {:.4g} mm: {} rays, {} voxels\n",
              r.grid.n[0], r.grid.n[1], r.grid.n[2], r.grid.h * r.length_mm, to_string(r.config.wall),
              r.wall * r.length_mm, r.rays, r.interior_voxels);
   fmt::print("  solve      {} ({}), {} iterations, {} variables\n", to_string(o.termination), o.message,
@@ -37,7 +38,7 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
       "manifold\n",
       r.rounding.objective, r.rounding.violation, r.rounding.void_voxels, r.interior_voxels,
       r.rounding.mended_voxels);
-  fmt::print("  part       {:.2f} g, centre of mass {:.3f},{:.3f},{:.3f} mm in the spin frame\n",
+  fmt::print("  part       {:.4g} g, centre of mass {:.3f},{:.3f},{:.3f} mm in the body frame\n",
              r.rounding.moments[S1] * r.mass_unit_grams, c[0], c[1], c[2]);
   fmt::print("  verified   {}\n", r.verified.verdict.text);
   if (!r.verified.file.empty())
@@ -60,9 +61,23 @@ int exit_code(Termination termination) {
   return not_converged;
 }
 
+/// Before minutes of work, not after: an output that could not be written.
+void require_folder(const std::string& file, const char* option) {
+  if (file.empty() || file == "-") return;
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  if (!std::filesystem::is_directory(folder))
+    throw InputError(
+        fmt::format("{} {}; expected an existing folder, {} is none", option, file, folder.string()));
+  if (std::filesystem::is_directory(file))
+    throw InputError(fmt::format("{} {} is a folder; expected the name of a file", option, file));
+}
+
 }  // namespace
 
 int run_once(const OnceOptions& options) {
+  require_folder(options.json_file, "--json");
+  require_folder(options.mesh_file, "--mesh");
+  require_folder(options.record_file, "--record");
   const bool terminal = isatty(STDERR_FILENO) != 0;
   const auto progress = [terminal](const std::string& step) {
     if (terminal) fmt::print(stderr, "\r\033[K{} ...", step);

@@ -1,0 +1,141 @@
+#!/usr/bin/python3
+"""The optimised interior in a vertical plane: which part of the domain stays solid, which becomes void."""
+
+import argparse
+
+import numpy as np
+from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.patches import Patch
+
+import records
+import style
+from style import plt
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("record", help="HDF5 record of a run (ray-rep or voxel)")
+    parser.add_argument("-o", "--output", default="section.png", help="PNG to write (default %(default)s)")
+    parser.add_argument("--row", type=int, help="row of cells along y to cut (default: the middle one)")
+    return parser.parse_args()
+
+
+def row_to_cut(run, row):
+    """The asked row, else the one nearest to the middle that has an interior."""
+    rows = np.unique(run["domain"]["intervals"][:, 1])
+    count = int(run["domain"]["grid"][1])
+    if row is None:
+        return int(rows[np.abs(rows + 0.5 - count / 2).argmin()])
+    if row not in rows:
+        raise records.BadRecord(f"{run['path']}: row {row} has no interior, expected {rows[0]} to {rows[-1]}")
+    return row
+
+
+class Slab:
+    """The intervals of one row, in millimetres of the body frame: z along the axis, origin at the contact."""
+
+    def __init__(self, run, row):
+        domain, body = run["domain"], run["body"]
+        self.run, self.mm = run, body["length"]
+        self.cell = domain["spacing"] * self.mm
+        self.corner = domain["grid_origin"] * self.mm
+        self.picked = np.flatnonzero(domain["intervals"][:, 1] == row)
+        self.cells = domain["intervals"][self.picked]
+        self.x = self.corner[0] + (self.cells[:, 0] + 0.5) * self.cell
+        self.low, self.high = (self.corner[2] + self.cells[:, k] * self.cell for k in (2, 3))
+        self.y = self.corner[1] + (row + 0.5) * self.cell
+
+    def segments(self):
+        """Ray-rep: both ends of each ray's solid segment."""
+        unit = self.run["solve"]["x_unit_length"] * self.mm
+        ends = self.run["solve"]["x"].reshape(-1, 2)[self.picked] * unit
+        return ends[:, 0], ends[:, 1]
+
+    def fills(self):
+        """Voxel: the fill of every cell of the plane, [nz, nx]; NaN outside the domain."""
+        grid, all_cells = self.run["domain"]["grid"], self.run["domain"]["intervals"]
+        lengths = all_cells[:, 3] - all_cells[:, 2]
+        first = np.concatenate(([0], np.cumsum(lengths)))
+        plane = np.full((grid[2], grid[0]), np.nan)
+        for picked, (ix, _, k0, k1) in zip(self.picked, self.cells):
+            plane[k0:k1, ix] = self.run["solve"]["x"][first[picked]:first[picked + 1]]
+        return plane
+
+
+def draw_interior(axes, slab):
+    if slab.run["formulation"] == "rayrep":
+        # Neighbouring bars overlap by a hair, else the seams between them shine through.
+        width = slab.cell * 1.03
+        axes.bar(slab.x, slab.high - slab.low, width, slab.low, color=style.VOID, linewidth=0)
+        low, high = slab.segments()
+        axes.bar(slab.x, high - low, width, low, color=style.SOLID, linewidth=0)
+        return
+    plane = slab.fills()
+    left, bottom = slab.corner[0], slab.corner[2]
+    axes.imshow(plane, origin="lower", interpolation="nearest", vmin=0, vmax=1, aspect="equal", zorder=1,
+                extent=(left, left + plane.shape[1] * slab.cell,
+                        bottom, bottom + plane.shape[0] * slab.cell),
+                cmap=LinearSegmentedColormap.from_list("fill", (style.VOID, style.SOLID)))
+
+
+def centre(moments):
+    return moments[1:4] / moments[0]
+
+
+def draw_marks(axes, slab):
+    run = slab.run
+    axes.axvline(0, color=style.QUIET, linewidth=0.9, linestyle=(0, (6, 3)), label="axis through the contact")
+    axes.plot(0, 0, marker="v", color=style.INK, markersize=6, linestyle="none", clip_on=False, zorder=5,
+              label="contact")
+    for name, moments, inside in (("solid", run["body"]["solid"], "white"),
+                                  ("optimised", run["solve"]["moments"], style.VERMILION)):
+        x, _, z = centre(moments) * slab.mm
+        axes.plot(x, z, marker="o", markersize=7, linestyle="none", markeredgecolor=style.VERMILION,
+                  markerfacecolor=inside, zorder=5, label=f"centre of mass, {name}")
+
+
+def draw(run, slab):
+    left, right = slab.x.min() - slab.cell / 2, slab.x.max() + slab.cell / 2
+    bottom, top = min(0.0, slab.low.min()), slab.high.max()
+    pad = 0.04 * max(right - left, top - bottom)
+    left, right, bottom, top = left - pad, right + pad, bottom - pad, top + pad
+    width = right - left
+    # Placed by hand, in inches: the automatic layouts let an axes of fixed aspect run over its labels.
+    across = min(5.4, 7.0 * width / (top - bottom))
+    up = across * (top - bottom) / width
+    wide, high = max(across + 2.9, 7.0), up + 1.45
+    figure = plt.figure(figsize=(wide, high))
+    axes = figure.add_axes((0.65 / wide, 1.05 / high, across / wide, up / high))
+    axes.grid(False)
+    draw_interior(axes, slab)
+    draw_marks(axes, slab)
+    axes.set(aspect="equal", xlim=(left, right), ylim=(bottom, top), xlabel="x in mm, body frame",
+             ylabel="z along the axis in mm")
+    grid = "×".join(str(n) for n in run["domain"]["grid"])
+    axes.set_title(f"{run['model']}, {run['problem']}, {run['formulation']} on {grid}: "
+                   f"f = {run['objective']:.5g} ({run['termination']})")
+    handles = [Patch(color=style.SOLID, label="interior left solid"), Patch(color=style.VOID, label="void")]
+    marks, _ = axes.get_legend_handles_labels()
+    axes.legend(handles=handles + marks, loc="upper left", bbox_to_anchor=(1.01, 1), fontsize=8)
+    hessian = run["config"].get("ipopt.hessian_approximation", "exact")
+    note = (f"Cut at y = {slab.y:.3g} mm; the shell is not drawn; centres of mass are projected onto the "
+            f"plane. {run['solver']}, Hessian {hessian}. Verified part: {run['verified']['text']}. "
+            f"{records.provenance_line([run])}.")
+    style.caption(figure, note)
+    return figure
+
+
+def main():
+    args = arguments()
+    run = records.read(args.record)
+    if "error" in run:
+        reason = run["error"].partition("\n")[0]
+        raise records.BadRecord(f"{args.record}: a failed run ({reason}), expected a result")
+    if run["formulation"] not in ("rayrep", "voxel") or len(run["domain"]["intervals"]) == 0:
+        raise records.BadRecord(f"{args.record}: no interior to cut, expected a ray-rep or voxel run")
+    records.save(draw(run, Slab(run, row_to_cut(run, args.row))), args.output)
+    print(args.output)
+
+
+if __name__ == "__main__":
+    records.main_with(main)

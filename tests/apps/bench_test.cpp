@@ -1,0 +1,184 @@
+// bench_test.cpp - `bench` as a user runs it: exit codes, messages, files.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "body/mesh_moments.hpp"
+#include "mesh/read.hpp"
+
+namespace kreisel {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Answer {
+  int code;
+  std::string out;  ///< standard output and error together
+};
+
+Answer bench(const std::string& arguments) {
+  // PoCL and its LLVM keep memory until the end: not what these tests are about.
+  const std::string command =
+      fmt::format("ASAN_OPTIONS=detect_leaks=0 '{}' {} 2>&1 </dev/null", KREISEL_BENCH, arguments);
+  std::FILE* pipe = popen(command.c_str(), "r");
+  Answer answer{-1, {}};
+  std::array<char, 4096> block;
+  while (const std::size_t n = std::fread(block.data(), 1, block.size(), pipe))
+    answer.out.append(block.data(), n);
+  const int status = pclose(pipe);
+  answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return answer;
+}
+
+class Bench : public ::testing::Test {
+ protected:
+  Bench()
+      : folder_(fs::temp_directory_path() / fmt::format("kreisel-bench-test-{}-{}", ::getpid(), counter_++)) {
+    fs::create_directories(folder_);
+  }
+  ~Bench() override { fs::remove_all(folder_); }
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+  fs::path folder_;
+  static inline int counter_ = 0;
+};
+
+constexpr const char* small = "--formulation rayrep --resolution 24 --fineness 16";
+
+TEST_F(Bench, RunsWithDefaultsAndSaysWhetherThePartSpins) {
+  const Answer a = bench("--formulation rayrep");
+  EXPECT_EQ(a.code, 0) << a.out;
+  EXPECT_NE(a.out.find("optimal"), std::string::npos) << a.out;
+  EXPECT_NE(a.out.find("verified   spins:"), std::string::npos) << a.out;
+}
+
+TEST_F(Bench, WritesAMeshWhoseMomentsAreTheReportedOnes) {
+  const Answer a = bench(fmt::format("{} --set formulation.bounds=ordered --json {} --mesh {}", small,
+                                     file("r.json"), file("part.stl")));
+  ASSERT_EQ(a.code, 0) << a.out;
+  const auto json = nlohmann::json::parse(std::ifstream(file("r.json")));
+  EXPECT_EQ(json.at("formulation"), "rayrep");
+  EXPECT_EQ(json.at("termination"), "optimal");
+  EXPECT_EQ(json.at("moments").size(), 10u);
+  EXPECT_LE(json.at("constraint_violation").get<double>(), 1e-8);
+  // The file holds floats of up to 60 mm: 4e-6 mm a coordinate, at random. A moment is at most s1 60^2.
+  const Moments written = 1e-3 * reference::mesh_moments(read_mesh(file("part.stl"))).value;  // 1 g/cm^3
+  const double reach[] = {1, 60, 60, 60, 3600, 3600, 3600, 3600, 3600, 3600};
+  for (int k = 0; k < 10; ++k)
+    EXPECT_NEAR(written[k], json.at("moments")[k].get<double>(), 1e-6 * reach[k] * written[S1])
+        << "moment " << k;
+}
+
+TEST_F(Bench, JsonToStandardOutputIsAlone) {
+  const Answer a = bench(fmt::format("{} --json -", small));
+  ASSERT_EQ(a.code, 0);
+  EXPECT_TRUE(nlohmann::json::accept(a.out)) << a.out;
+}
+
+TEST_F(Bench, VoxelAndRayRepAgreeWithinOnePercent) {
+  double objective[2];
+  for (const int i : {0, 1}) {
+    const Answer a = bench(fmt::format("{} --formulation {} --json {}", "--resolution 32",
+                                       i ? "voxel" : "rayrep", file("r.json")));
+    ASSERT_EQ(a.code, 0) << a.out;
+    objective[i] = nlohmann::json::parse(std::ifstream(file("r.json"))).at("objective").get<double>();
+  }
+  EXPECT_NEAR(objective[0], objective[1], 0.01 * objective[1]);
+}
+
+struct Mistake {
+  const char* arguments;
+  const char* says;
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.arguments; }
+
+class BenchMistake : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(BenchMistake, GetsOneLineAndExitCodeTwo) {
+  const Answer a = bench(GetParam().arguments);
+  EXPECT_EQ(a.code, 2) << a.out;
+  EXPECT_EQ(std::count(a.out.begin(), a.out.end(), '\n'), 1) << a.out;
+  EXPECT_NE(a.out.find(GetParam().says), std::string::npos) << a.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BenchMistake,
+    ::testing::Values(
+        Mistake{"--model nosuch", "neither a known name (ellipsoid, bird) nor a file"},
+        Mistake{"--model /no/such.stl", "no such file"}, Mistake{"--resolution 3000", "expected 2 to 1024"},
+        Mistake{"--resolution abc", "cells along the longest side"},
+        Mistake{"--wall 0.5h", "expected at least 0.87"}, Mistake{"--wall 50%", "leaves no interior"},
+        Mistake{"--wall x", "expected a positive number"},
+        Mistake{"--set foo=1", "expected GROUP.NAME=VALUE"},
+        Mistake{"--set ipopt.nosuch=1", "Ipopt has no option of that name"},
+        Mistake{"--set ipopt.tol=abc", "is not a value Ipopt takes"},
+        Mistake{"--set solver.start=nowhere", "expected lower, middle or upper"},
+        Mistake{"--set problem.lambda=-1", "expected lambda >= 0"},
+        Mistake{"--formulation nosuch", "expected one of"},
+        Mistake{"--problem nosuch", "expected one of: spin"},
+        Mistake{"--solver nosuch", "expected one of: ipopt"}, Mistake{"--axis 0,0,0", "no direction"},
+        Mistake{"--axis 1,2", "three numbers"}, Mistake{"--density 0", "expected > 0"},
+        Mistake{"--size -3", "expected > 0"}, Mistake{"--device nosuch", "not found"},
+        Mistake{"--nosuch", "not expected"}, Mistake{"--repeat 0", "expected a whole number >= 1"},
+        Mistake{"--mesh /no/such/folder/a.stl", "expected an existing folder"},
+        Mistake{"--json /no/such/folder/a.json", "expected an existing folder"},
+        Mistake{"run nosuch", "nosuch"}, Mistake{"show /no/such.h5", "no such file"}));
+
+TEST_F(Bench, RefusesAnOpenMeshAndSaysWhere) {
+  std::ofstream(file("open.off")) << "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n";
+  const Answer a = bench(fmt::format("--model {}", file("open.off")));
+  EXPECT_EQ(a.code, 2) << a.out;
+  EXPECT_NE(a.out.find("open edges: 3"), std::string::npos) << a.out;
+}
+
+TEST_F(Bench, AnInfeasibleProblemEndsWithThree) {
+  // A tall thin box, spun about a corner edge: hollowing cannot bring its centre of mass there.
+  std::ofstream(file("box.off"))
+      << "OFF\n8 12 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n0 0 4\n4 0 4\n4 4 4\n0 4 4\n"
+         "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n"
+         "3 3 0 4\n3 3 4 7\n";
+  const Answer a = bench(
+      fmt::format("--model {} --contact 0.2,0.2,0 --resolution 12 --formulation voxel", file("box.off")));
+  EXPECT_EQ(a.code, 3) << a.out;
+  EXPECT_NE(a.out.find("does not spin"), std::string::npos) << a.out;
+}
+
+TEST_F(Bench, RunsAnExperimentSkipsWhatIsDoneAndShowsIt) {
+  std::ofstream(file("tiny.toml"))
+      << "problem = \"spin\"\nmodel = \"ellipsoid\"\nresolution = 32\nfineness = 16\n"
+         "[[run]]\nformulation = [\"rayrep\", \"voxel\"]\n";
+  const std::string run = fmt::format("run {} --results {}", file("tiny.toml"), file("runs"));
+  EXPECT_NE(bench(run + " --dry-run").out.find("2 to run"), std::string::npos);
+  const Answer first = bench(run);
+  EXPECT_EQ(first.code, 0) << first.out;
+  EXPECT_NE(first.out.find("2 runs done, 0 finished before"), std::string::npos) << first.out;
+  const Answer second = bench(run);
+  EXPECT_NE(second.out.find("0 runs done, 2 finished before"), std::string::npos) << second.out;
+  const Answer shown = bench(fmt::format("show {}", file("runs")));
+  EXPECT_EQ(shown.code, 0) << shown.out;
+  EXPECT_NE(shown.out.find("verified"), std::string::npos) << shown.out;
+}
+
+TEST_F(Bench, ListNamesEverythingAndWhichPairsWork) {
+  const Answer a = bench("list");
+  EXPECT_EQ(a.code, 0);
+  for (const char* name : {"ellipsoid", "bird", "spin", "voxel", "rayrep", "ipopt", "rayrep_table2"})
+    EXPECT_NE(a.out.find(name), std::string::npos) << name;
+}
+
+TEST_F(Bench, DevicesSaysWhatThereIs) {
+  const Answer a = bench("devices --no-measure");
+  EXPECT_EQ(a.code, 0) << a.out;
+  EXPECT_NE(a.out.find("fp64"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kreisel

@@ -1,0 +1,203 @@
+#include "body/body.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include "body/mesh_moments.hpp"
+#include "body/models.hpp"
+#include "body/test_meshes.hpp"
+#include "device/scoped_environment.hpp"
+#include "error.hpp"
+#include "test_device.hpp"
+
+namespace kreisel {
+namespace {
+
+/// A box of 20 x 10 x 5 mm with its corner at the origin, written as OFF.
+class BodyOfABox : public testing::Test {
+ protected:
+  BodyOfABox() {
+    const TriangleMesh mesh = box_mesh(Vec3::Zero(), {20, 10, 5});
+    std::ofstream out(file_);
+    out << "OFF\n" << mesh.vertices.size() << ' ' << mesh.triangles.size() << " 0\n";
+    for (const Vec3& v : mesh.vertices) out << v[0] << ' ' << v[1] << ' ' << v[2] << '\n';
+    for (const Triangle& t : mesh.triangles) out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  }
+
+  [[nodiscard]] BodySpec spec() const {
+    BodySpec spec;
+    spec.model = file_.string();
+    return spec;
+  }
+
+  ScopedFolder folder_{"kreisel-body-test"};
+  std::filesystem::path file_ = folder_.path() / "brick.off";
+};
+
+/// The kernel's bound for 12 triangles and the few roundings of the frame, in numbers of order one.
+double tolerance() {
+  device::Device& device = test_device();
+  return 8 * mesh_moments_bound(box_mesh({0, 0, 0}, {1, 1, 1}), device);
+}
+
+TEST_F(BodyOfABox, HasUnitMassInItsFrameAndItsContactAtTheOrigin) {
+  const Body body = make_body(spec(), test_device());
+  EXPECT_EQ(body.name, "brick");
+  EXPECT_NEAR(body.frame.length, 10, 10 * tolerance()) << "cube root of 1000 mm^3";
+  EXPECT_NEAR(body.mass_grams(), 1, tolerance()) << "1 cm^3 at 1 g/cm^3";
+  EXPECT_EQ(body.axis, Vec3(0, 0, 1));
+  EXPECT_LE((body.contact - Vec3(10, 5, 0)).norm(), 20 * 0x1p-52) << "middle of the lowest face";
+  EXPECT_EQ(body.frame.to_body(body.contact), Vec3(0, 0, 0));
+  const Moments want = box_moments({0, 0, 0.25}, {2, 1, 0.5});
+  for (int k = 0; k < 10; ++k) EXPECT_NEAR(body.solid[k], want[k], tolerance()) << moment_names[k];
+}
+
+TEST_F(BodyOfABox, StandsOnTheMiddleOfTheFaceItsAxisComesFrom) {
+  for (const bool by_up : {false, true}) {
+    BodySpec s = spec();
+    (by_up ? s.up : s.axis) = Vec3(3, 0, 0);  // any length
+    const Body body = make_body(s, test_device());
+    EXPECT_EQ(body.axis, Vec3(1, 0, 0));
+    EXPECT_LE((body.contact - Vec3(0, 5, 2.5)).norm(), 20 * 0x1p-52);
+    EXPECT_LE((body.frame.rotation * body.axis - Vec3::UnitZ()).norm(), 8 * 0x1p-53);
+    EXPECT_NEAR(body.frame.rotation.determinant(), 1, 16 * 0x1p-53);
+    EXPECT_NEAR(centre_of_mass(body.solid)[2], 1, tolerance()) << "half of 20 mm in lengths of 10 mm";
+    EXPECT_NEAR(bounding_box(body.local).extent()[2], 2, tolerance());
+  }
+}
+
+TEST_F(BodyOfABox, TakesAContactPointAndAnyAxis) {
+  BodySpec s = spec();
+  s.contact = Vec3(1, 2, 3);
+  s.axis = Vec3(1, -2, 0.5);
+  const Body body = make_body(s, test_device());
+  EXPECT_EQ(body.contact, Vec3(1, 2, 3));
+  EXPECT_LE((body.frame.to_body(Vec3(1, 2, 3) + *s.axis) - Vec3(0, 0, s.axis->norm() / 10)).norm(),
+            tolerance());
+  for (const Vec3& v : body.mesh.vertices)
+    EXPECT_LE((body.frame.to_model(body.frame.to_body(v)) - v).norm(), 20 * 16 * 0x1p-53);
+  const TriangleMesh back = to_model(body.frame, body.local);
+  for (std::size_t i = 0; i < back.vertices.size(); ++i)
+    EXPECT_LE((back.vertices[i] - body.mesh.vertices[i]).norm(), 20 * 16 * 0x1p-53);
+}
+
+TEST_F(BodyOfABox, SizeSetsItsLongestSideAndLeavesBodyUnitsAlone) {
+  BodySpec s = spec();
+  s.size = 40;
+  s.density = 2.5;
+  const Body body = make_body(s, test_device());
+  EXPECT_NEAR(bounding_box(body.mesh).extent().maxCoeff(), 40, 40 * 0x1p-52);
+  EXPECT_NEAR(body.frame.length, 20, 20 * tolerance());
+  EXPECT_NEAR(body.mass_grams(), 20, 20 * tolerance()) << "8 cm^3 at 2.5 g/cm^3";
+  const Moments want = box_moments({0, 0, 0.25}, {2, 1, 0.5});
+  for (int k = 0; k < 10; ++k) EXPECT_NEAR(body.solid[k], want[k], tolerance()) << moment_names[k];
+}
+
+TEST_F(BodyOfABox, HollowedOutKeepsTheShellAndTakesTheFillBack) {
+  const Body body = make_body(spec(), test_device());
+  const Moments interior = box_moments({0, 0, 0.25}, {1.5, 0.5, 0.25});
+  const MassModel mass = hollowed(body, interior);
+  EXPECT_LE((mass.total(interior) - body.solid).cwiseAbs().maxCoeff(), 4 * 0x1p-53);
+  EXPECT_LE((mass.total(Moments::Zero()) - (body.solid - interior)).cwiseAbs().maxCoeff(), 4 * 0x1p-53);
+}
+
+TEST(Body, OfEveryModelHasUnitMass) {
+  for (const Model& model : models()) {
+    BodySpec spec;
+    spec.model = model.name;
+    spec.fineness = 6;
+    const Body body = make_body(spec, test_device());
+    EXPECT_EQ(body.name, model.name);
+    // Twice the bound: mass and length come from two sums. Cancellation inside a round shape is mild.
+    EXPECT_NEAR(body.solid[S1], 1, 8 * mesh_moments_bound(body.local, test_device())) << model.name;
+    EXPECT_GT(centre_of_mass(body.solid)[2], 0) << model.name << " lies above its contact point";
+    EXPECT_GE(bounding_box(body.local).lo[2], -1e-12) << "the contact point is the lowest";
+    EXPECT_EQ(body.local.triangles.size(), 20u * 6 * 6);
+  }
+}
+
+TEST(Body, AxisToZIsARotationForEveryAxisEvenTheOpposite) {
+  Random random(8);
+  std::vector<Vec3> axes = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, -2, 0}, {1e-9, 0, -1}, {1e-9, 0, 1}};
+  for (int i = 0; i < 20; ++i) axes.push_back(random_vec(random, -1, 1));
+  for (const Vec3& axis : axes) {
+    const Eigen::Matrix3d r = axis_to_z(axis);
+    // Near the opposite direction Eigen takes the axis from a singular vector: half the digits remain.
+    EXPECT_LE((r * axis.normalized() - Vec3::UnitZ()).norm(), 0x1p-26) << axis.transpose();
+    EXPECT_LE((r * r.transpose() - Eigen::Matrix3d::Identity()).norm(), 32 * 0x1p-53) << axis.transpose();
+    EXPECT_NEAR(r.determinant(), 1, 32 * 0x1p-53) << axis.transpose();
+  }
+}
+
+void refuses(const BodySpec& spec, const std::vector<std::string>& parts) {
+  try {
+    (void)make_body(spec, test_device());
+    FAIL() << "accepted; expected a message with " << parts.front();
+  } catch (const InputError& e) {
+    const std::string text = e.what();
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+    for (const auto& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << " in: " << text;
+  }
+}
+
+TEST(Body, RefusesADensityThatIsNotPositive) {
+  for (const double density :
+       {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    BodySpec spec;
+    spec.density = density;
+    refuses(spec, {"density", "g/cm^3", "expected > 0"});
+  }
+}
+
+TEST(Body, RefusesASizeThatIsNotPositive) {
+  for (const double size : {0.0, -60.0, std::numeric_limits<double>::quiet_NaN()}) {
+    BodySpec spec;
+    spec.size = size;
+    refuses(spec, {"size", "mm", "expected > 0"});
+  }
+}
+
+TEST(Body, RefusesAnAxisWithoutDirectionAndNamesTheOption) {
+  BodySpec spec;
+  spec.fineness = 2;
+  spec.axis = Vec3(0, 0, 0);
+  refuses(spec, {"--axis 0,0,0", "non-zero"});
+  spec.axis = Vec3(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  refuses(spec, {"--axis", "non-zero"});
+  spec.axis.reset();
+  spec.up = Vec3(0, 0, 0);
+  refuses(spec, {"--up 0,0,0", "non-zero"});
+}
+
+TEST(Body, RefusesAContactThatIsNotFinite) {
+  BodySpec spec;
+  spec.fineness = 2;
+  spec.contact = Vec3(0, 0, std::numeric_limits<double>::infinity());
+  refuses(spec, {"--contact", "expected three numbers"});
+}
+
+TEST(Body, RefusesAnUnknownModelAndNamesThoseThereAre) {
+  BodySpec spec;
+  spec.model = "elipsoid";
+  std::vector<std::string> parts = {"'elipsoid'"};
+  for (const Model& model : models()) parts.emplace_back(model.name);
+  refuses(spec, parts);
+}
+
+TEST(Body, RefusesAFileThatDoesNotExist) {
+  BodySpec spec;
+  spec.model = "no_such_folder/part.stl";
+  refuses(spec, {"no_such_folder/part.stl"});
+}
+
+TEST(Body, RefusesANegativeFineness) {
+  BodySpec spec;
+  spec.fineness = -3;
+  refuses(spec, {"fineness -3", "ellipsoid", "expected >= 1"});
+}
+
+}  // namespace
+}  // namespace kreisel

@@ -1,0 +1,216 @@
+#include "experiment/experiment.hpp"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <map>
+
+#include "error.hpp"
+#include "experiment/data_folder.hpp"
+#include "experiment/run_text.hpp"
+#include "experiment/temporary_folder.hpp"
+
+namespace kreisel {
+namespace {
+
+Experiment parse(const std::string& text) { return parse_experiment(text, "folder/trial.toml"); }
+
+std::vector<std::string> names(const Experiment& experiment) {
+  std::vector<std::string> all;
+  for (const auto& run : experiment.runs) all.push_back(run_text(run.config));
+  return all;
+}
+
+using Texts = std::vector<std::string>;
+
+TEST(Experiment, MultipliesListsOutInTheOrderOfTheFile) {
+  const auto experiment = parse(R"(
+    [[run]]
+    resolution  = [80, 64]
+    model       = ["ellipsoid", "bird"]
+    formulation = ["rayrep", "voxel"]
+  )");
+  EXPECT_EQ(names(experiment),
+            (Texts{"ellipsoid 80 rayrep ipopt", "ellipsoid 80 voxel ipopt", "bird 80 rayrep ipopt",
+                   "bird 80 voxel ipopt", "ellipsoid 64 rayrep ipopt", "ellipsoid 64 voxel ipopt",
+                   "bird 64 rayrep ipopt", "bird 64 voxel ipopt"}));
+}
+
+TEST(Experiment, ListsOfDefaultsVarySlowestAndARunReplacesThemWhole) {
+  const auto experiment = parse(R"(
+    resolution = [32, "40x30x20"]
+    repeat = 5
+    [[run]]
+    formulation = ["rayrep", "voxel"]
+    [[run]]
+    resolution = 16
+    repeat = 2
+  )");
+  EXPECT_EQ(names(experiment),
+            (Texts{"ellipsoid 32 rayrep ipopt", "ellipsoid 32 voxel ipopt", "ellipsoid 40x30x20 rayrep ipopt",
+                   "ellipsoid 40x30x20 voxel ipopt", "ellipsoid 16 rayrep ipopt"}));
+  EXPECT_EQ(experiment.runs[0].config.repeat, 5);
+  EXPECT_EQ(experiment.runs[4].config.repeat, 2);
+}
+
+TEST(Experiment, NamesItselfAfterItsFileAndKeepsWhatItSaysOfItsTable) {
+  EXPECT_EQ(parse("[[run]]").name, "trial");
+  EXPECT_EQ(parse("[[run]]").title, "trial");
+  EXPECT_EQ(parse("[[run]]").table, Experiment::Table::runs);
+  const auto experiment = parse("title = 'A trial'\ntable = 'speedup'\npublished = 'x'\n[[run]]");
+  EXPECT_EQ(experiment.title, "A trial");
+  EXPECT_EQ(experiment.table, Experiment::Table::speedup);
+  EXPECT_EQ(experiment.published, "x");
+  EXPECT_EQ(experiment.runs.size(), 1u);
+}
+
+TEST(Experiment, ReadsSettingsNestedOrQuotedAndMultipliesThemOutToo) {
+  const auto experiment = parse(R"(
+    set.ipopt.tol = 1e-9
+    [[run]]
+    [run.set]
+    ipopt.mehrotra_algorithm = true
+    "solver.start" = ["middle", "lower"]
+  )");
+  ASSERT_EQ(experiment.runs.size(), 2u);
+  using Settings = std::map<std::string, std::string>;
+  EXPECT_EQ(
+      experiment.runs[0].config.settings,
+      (Settings{{"ipopt.mehrotra_algorithm", "yes"}, {"ipopt.tol", "1e-09"}, {"solver.start", "middle"}}));
+  EXPECT_EQ(experiment.runs[1].config.settings.at("solver.start"), "lower");
+}
+
+TEST(Experiment, GivesEachRunItsLabelAndMesh) {
+  const auto experiment = parse("label = 'a'\n[[run]]\n[[run]]\nlabel = 'b'\nmesh = true\n");
+  EXPECT_EQ(experiment.runs[0].label, "a");
+  EXPECT_FALSE(experiment.runs[0].mesh);
+  EXPECT_EQ(experiment.runs[1].label, "b");
+  EXPECT_TRUE(experiment.runs[1].mesh);
+}
+
+/// One line: file, line number, what is wrong and what was expected.
+void refuses(const std::string& text, unsigned line, const Texts& parts) {
+  try {
+    (void)parse(text);
+    FAIL() << "accepted: " << text;
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    EXPECT_EQ(what.find("folder/trial.toml: line " + std::to_string(line) + ": "), 0u) << what;
+    EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+    EXPECT_NE(what.find("expected"), std::string::npos) << what;
+    for (const auto& part : parts) EXPECT_NE(what.find(part), std::string::npos) << part << " in: " << what;
+  }
+}
+
+TEST(Experiment, RefusesWhatIsNotToml) { refuses("repeat = 5\nbudget = = 3\n[[run]]", 2, {"TOML"}); }
+TEST(Experiment, RefusesAnUnknownKey) { refuses("[[run]]\n\nresolutoin = 3", 3, {"resolutoin"}); }
+TEST(Experiment, RefusesAnUnknownKeyAmongTheDefaults) { refuses("\ncolour = 3\n[[run]]", 2, {"colour"}); }
+TEST(Experiment, RefusesAnUnfitValueAsTheCommandLineDoes) {
+  RunConfig config;
+  std::string same;
+  try {
+    set_field(config, "resolution", "many");
+  } catch (const InputError& error) {
+    same = error.what();
+  }
+  ASSERT_FALSE(same.empty());
+  refuses("[[run]]\nresolution = 'many'", 2, {same});
+}
+TEST(Experiment, NamesTheLineOfTheListItemAtFault) {
+  refuses("[[run]]\nresolution = [\n  32,\n  'many',\n]", 4, {"many"});
+}
+TEST(Experiment, RefusesAnEmptyList) { refuses("[[run]]\nmodel = []", 2, {"model", "empty list"}); }
+TEST(Experiment, RefusesAListOfLists) { refuses("[[run]]\nresolution = [[80, 52, 51]]", 2, {"resolution"}); }
+TEST(Experiment, RefusesATableWhereAValueBelongs) { refuses("[[run]]\n[run.ipopt]\ntol = 1", 2, {"ipopt"}); }
+TEST(Experiment, RefusesASettingOfAnUnknownGroup) {
+  refuses("[[run]]\nset.snopt.tol = 1", 2, {"snopt.tol", "ipopt"});
+}
+TEST(Experiment, RefusesASettingWithoutAGroup) {
+  refuses("[[run]]\nset.tol = 1", 2, {"tol", "set.GROUP.NAME"});
+}
+TEST(Experiment, RefusesASettingOutsideSet) {
+  refuses("[[run]]\n'ipopt.tol' = 1", 2, {"ipopt.tol", "set.ipopt.tol"});
+}
+TEST(Experiment, RefusesSetThatIsNoTable) { refuses("[[run]]\nset = 'ipopt'", 2, {"set"}); }
+TEST(Experiment, RefusesALabelThatIsNotText) { refuses("[[run]]\nlabel = ['a', 'b']", 2, {"label"}); }
+TEST(Experiment, RefusesAMeshThatIsNoBoolean) {
+  refuses("[[run]]\nmesh = 'yes'", 2, {"mesh", "true or false"});
+}
+TEST(Experiment, RefusesAnUnknownTable) { refuses("table = 'pie'\n[[run]]", 1, {"pie", "speedup"}); }
+TEST(Experiment, RefusesATitleInsideARun) { refuses("[[run]]\ntitle = 'x'", 2, {"title"}); }
+TEST(Experiment, RefusesARunInSingleBrackets) { refuses("[run]\nrepeat = 1", 1, {"[[run]]"}); }
+TEST(Experiment, RefusesAFileWithoutRuns) { refuses("repeat = 1", 1, {"no run"}); }
+
+/// Sets a variable of the environment for as long as it lives.
+struct Variable {
+  Variable(const char* name_, const std::string& value) : name(name_) {
+    if (const char* old = getenv(name)) before = old, was_set = true;
+    setenv(name, value.c_str(), 1);
+  }
+  ~Variable() { was_set ? setenv(name, before.c_str(), 1) : unsetenv(name); }
+  const char* name;
+  std::string before;
+  bool was_set = false;
+};
+
+TEST(FindExperiment, TakesAPathOrANameFromTheDataFolder) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("experiments/only_here.toml", "[[run]]");
+  const Variable data("KREISEL_DATA", folder.path.string());
+  EXPECT_EQ(find_experiment(file.string()), file);
+  EXPECT_EQ(find_experiment("only_here"), file);
+  EXPECT_EQ(find_experiment("only_here.toml"), file);
+  EXPECT_EQ(read_experiment(file).name, "only_here");
+}
+
+TEST(FindExperiment, ListsTheNamesThereAreWhenItFindsNone) {
+  const TemporaryFolder folder;
+  folder.write("experiments/only_here.toml", "[[run]]");
+  const Variable data("KREISEL_DATA", folder.path.string());
+  try {
+    (void)find_experiment("nowhere");
+    FAIL() << "found";
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    EXPECT_NE(what.find("'nowhere'"), std::string::npos) << what;
+    EXPECT_NE(what.find("only_here"), std::string::npos) << what;
+  }
+}
+
+TEST(FindExperiment, RefusesAFileThatCannotBeRead) {
+  const TemporaryFolder folder;
+  EXPECT_THROW((void)read_experiment(folder.path / "none.toml"), InputError);
+  EXPECT_THROW((void)read_experiment(folder.path), InputError);
+}
+
+TEST(DataFolder, RefusesAVariableThatNamesNoFolder) {
+  const Variable data("KREISEL_DATA", "/no/such/folder");
+  EXPECT_THROW((void)data_folder(), InputError);
+  EXPECT_THROW((void)find_experiment("nowhere"), InputError);
+}
+
+TEST(DataFolder, HasTheExperimentsThatComeWithTheProgram) {
+  EXPECT_TRUE(std::filesystem::is_directory(data_folder() / "experiments"));
+}
+
+TEST(RayrepTable2, SolvesThePapersSevenGridsBothWaysUnderTwoLabels) {
+  const auto experiment = read_experiment(data_folder() / "experiments" / "rayrep_table2.toml");
+  std::map<std::string, int> count;
+  for (const auto& [config, label, mesh] : experiment.runs) {
+    ++count[label + ' ' + config.formulation];
+    EXPECT_EQ(config.problem, "spin");
+    EXPECT_EQ(config.repeat, 5);
+    EXPECT_EQ(config.budget_seconds, 20);
+    EXPECT_EQ(to_string(config.wall), "1.5h");
+    EXPECT_EQ(config.settings.at("ipopt.hessian_approximation"),
+              label == "paper" ? "limited-memory" : "exact");
+    EXPECT_EQ(config.settings.contains("ipopt.mehrotra_algorithm"),
+              label == "best" && config.formulation == "voxel");
+    EXPECT_EQ(mesh, label == "best" && config.formulation == "rayrep" && config.body.model == "ellipsoid");
+  }
+  EXPECT_EQ(count, (std::map<std::string, int>{
+                       {"best rayrep", 7}, {"best voxel", 7}, {"paper rayrep", 7}, {"paper voxel", 7}}));
+}
+
+}  // namespace
+}  // namespace kreisel

@@ -1,0 +1,239 @@
+#include "experiment/runner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <new>
+#include <stdexcept>
+
+#include "error.hpp"
+#include "experiment/progress.hpp"
+#include "experiment/temporary_folder.hpp"
+#include "record/record.hpp"
+
+namespace kreisel {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A result with enough in it to be recorded.
+RunResult finished(const RunConfig& config, Termination termination = Termination::optimal) {
+  RunResult result;
+  result.config = config;
+  result.variables = 2;
+  result.grid = {{4, 3, 2}, Vec3::Zero(), 0.1};
+  result.intervals = {{1, 1, 0, 2}};
+  result.rays = 1;
+  result.outcome.termination = termination;
+  result.outcome.x = {0.5, 1};
+  result.outcome.iterations = 7;
+  result.outcome.objective = 0.75;
+  result.samples = {{0.1, 0.2, 0.3, 0.4}};
+  result.median = result.samples.front();
+  return result;
+}
+
+/// Two grids, two formulations, and a run function that only writes down what it was asked for.
+class Runner : public testing::Test {
+ protected:
+  Runner() {
+    options.results = folder.path / "runs";
+    options.log = log.get();
+    hooks.run = [this](const RunConfig& config, const std::string& mesh, const Progress& progress) {
+      ran.push_back(run_name(config));
+      progress("solve");
+      if (!mesh.empty()) std::ofstream(mesh) << "solid";
+      return RunOutput{finished(config), {}, {}};
+    };
+    hooks.interrupted = [] { return false; };
+    hooks.provenance = [](const RunConfig&) { return Provenance{}; };
+  }
+
+  RunCounts run() { return run_experiment(experiment, options, hooks); }
+  fs::path record(std::size_t i) const {
+    return record_path(options.results, experiment.name, experiment.runs[i].config);
+  }
+  std::string logged() const {
+    std::string text(4096, '\0');
+    std::rewind(log.get());
+    text.resize(std::fread(text.data(), 1, text.size(), log.get()));
+    return text;
+  }
+  /// Makes the i-th run throw, or end as `error` says.
+  template <class Act>
+  void when(std::size_t i, Act act) {
+    hooks.run = [this, i, act, usual = hooks.run](const RunConfig& config, const std::string& mesh,
+                                                  const Progress& progress) {
+      RunOutput output = usual(config, mesh, progress);
+      if (run_name(config) == run_name(experiment.runs[i].config)) act(output.result);
+      return output;
+    };
+  }
+
+  TemporaryFolder folder;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> log{std::tmpfile(), std::fclose};
+  Experiment experiment = parse_experiment(
+      "[[run]]\nresolution = [32, '4x3x2']\nformulation = ['rayrep', 'voxel']", "trial.toml");
+  RunnerOptions options;
+  RunnerHooks hooks;
+  std::vector<std::string> ran;
+};
+
+TEST_F(Runner, RecordsEveryRunUnderItsNameInTheFolderOfTheExperiment) {
+  const RunCounts counts = run();
+  EXPECT_EQ(counts.done, 4);
+  EXPECT_EQ(counts.skipped + counts.failed + counts.unconverged, 0);
+  EXPECT_FALSE(counts.interrupted);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(record(i), folder.path / "runs" / "trial" / (run_name(experiment.runs[i].config) + ".h5"));
+    EXPECT_EQ(read_record(record(i)).objective, 0.75);
+  }
+  EXPECT_EQ(logged(), "");  // not a terminal
+}
+
+TEST_F(Runner, SkipsWhatIsFinishedAndRunsItAgainWhenForced) {
+  write_record(record(1), finished(experiment.runs[1].config));
+  RunCounts counts = run();
+  EXPECT_EQ(counts.done, 3);
+  EXPECT_EQ(counts.skipped, 1);
+  EXPECT_EQ(ran.size(), 3u);
+  EXPECT_EQ(run().skipped, 4);
+  options.force = true;
+  counts = run();
+  EXPECT_EQ(counts.done, 4);
+  EXPECT_EQ(counts.skipped, 0);
+}
+
+TEST_F(Runner, RunsOnceWhatTwoLabelsShare) {
+  experiment.runs.push_back(experiment.runs[0]);
+  experiment.runs.back().label = "again";
+  options.force = true;
+  EXPECT_EQ(run().done, 4);
+}
+
+TEST_F(Runner, RecordsAFailureGoesOnAndTriesItAgainNextTime) {
+  when(1, [](RunResult&) { throw std::bad_alloc(); });
+  when(2, [](RunResult&) { throw InputError("no interior left; expected a thinner wall"); });
+  const RunCounts counts = run();
+  EXPECT_EQ(counts.done, 2);
+  EXPECT_EQ(counts.failed, 2);
+  EXPECT_EQ(read_record(record(2)).error, "no interior left; expected a thinner wall");
+  EXPECT_NE(logged().find("no interior left"), std::string::npos);
+  EXPECT_NE(dry_run(experiment, options).find("to run again, failed"), std::string::npos);
+
+  ran.clear();
+  EXPECT_EQ(run().skipped, 2);
+  EXPECT_EQ(ran.size(), 2u);
+}
+
+TEST_F(Runner, RecordsWhatIsThrownThatIsNoStandardException) {
+  when(0, [](RunResult&) { throw 1; });
+  EXPECT_EQ(run().failed, 1);
+  EXPECT_EQ(read_record(record(0)).error, "unknown exception");
+}
+
+TEST_F(Runner, KeepsTheResultOfASolverThatGaveUp) {
+  when(0, [](RunResult& result) { result.outcome.termination = Termination::infeasible; });
+  const RunCounts counts = run();
+  EXPECT_EQ(counts.done, 4);
+  EXPECT_EQ(counts.unconverged, 1);
+  EXPECT_EQ(run().skipped, 4);
+}
+
+TEST_F(Runner, StopsAtAnInterruptedRunKeepingWhatIsDone) {
+  experiment.runs[1].mesh = true;
+  when(1, [](RunResult& result) { result.outcome.termination = Termination::interrupted; });
+  const RunCounts counts = run();
+  EXPECT_TRUE(counts.interrupted);
+  EXPECT_EQ(counts.done, 1);
+  EXPECT_TRUE(fs::exists(record(0)));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path / "runs" / "trial"), {}), 1);
+  EXPECT_NE(logged().find("interrupted, 3 of 4 runs left"), std::string::npos) << logged();
+}
+
+TEST_F(Runner, DoesNotBlameARunThatThrewWhenInterrupted) {
+  bool stop = false;
+  hooks.interrupted = [&] { return stop; };
+  when(1, [&](RunResult&) {
+    stop = true;
+    throw std::runtime_error("torn apart");
+  });
+  const RunCounts counts = run();
+  EXPECT_TRUE(counts.interrupted);
+  EXPECT_EQ(counts.failed, 0);
+  EXPECT_FALSE(fs::exists(record(1)));
+}
+
+TEST_F(Runner, StartsNothingOnceInterrupted) {
+  hooks.interrupted = [] { return true; };
+  EXPECT_TRUE(run().interrupted);
+  EXPECT_TRUE(ran.empty());
+}
+
+TEST_F(Runner, PutsTheMeshBesideTheRecordAndMakesItAgainWhenItIsGone) {
+  experiment.runs[2].mesh = true;
+  EXPECT_EQ(run().done, 4);
+  const fs::path mesh = fs::path(record(2)).replace_extension(".stl");
+  EXPECT_TRUE(fs::exists(mesh));
+  EXPECT_EQ(std::distance(fs::directory_iterator(mesh.parent_path()), {}), 5);
+  fs::remove(mesh);
+  EXPECT_NE(dry_run(experiment, options).find("to run again, no mesh"), std::string::npos);
+  const RunCounts counts = run();
+  EXPECT_EQ(counts.done, 1);
+  EXPECT_EQ(counts.skipped, 3);
+  EXPECT_TRUE(fs::exists(mesh));
+}
+
+TEST_F(Runner, AFailingRunLeavesTheOldMeshAlone) {
+  experiment.runs[0].mesh = true;
+  run();
+  options.force = true;
+  when(0, [](RunResult&) { throw std::runtime_error("broken"); });
+  run();
+  EXPECT_TRUE(fs::exists(fs::path(record(0)).replace_extension(".stl")));
+  EXPECT_FALSE(fs::exists(fs::path(record(0)).replace_extension(".new.stl")));
+}
+
+TEST_F(Runner, ADryRunListsWhatIsFinishedAndRunsNothing) {
+  write_record(record(1), finished(experiment.runs[1].config));
+  const std::string text = dry_run(experiment, options);
+  EXPECT_TRUE(ran.empty());
+  EXPECT_EQ(text.find("to run "), 0u) << text;
+  EXPECT_NE(text.find("\nfinished "), std::string::npos) << text;
+  EXPECT_NE(text.find("ellipsoid 4x3x2 voxel ipopt"), std::string::npos) << text;
+  EXPECT_TRUE(text.ends_with("trial: 3 to run, 1 finished\n")) << text;
+}
+
+TEST_F(Runner, RefusesToReplaceWhatItCannotRead) {
+  folder.write("runs/trial/" + record(0).filename().string(), "not a record");
+  EXPECT_THROW((void)run(), InputError);
+  EXPECT_TRUE(ran.empty());
+}
+
+TEST(Estimate, GrowsWithTheNumberOfCellsOfTheSameFormulation) {
+  RunConfig small, large, voxel;
+  small.grid.cells = {40, 26, 26};
+  large.grid.cells = {80, 52, 52};
+  voxel.grid.cells = {40, 26, 26};
+  voxel.formulation = "voxel";
+  Estimate estimate;
+  EXPECT_FALSE(estimate.seconds(large));
+  estimate.finished(small, 2);
+  EXPECT_NEAR(estimate.seconds(large).value(), 2 * std::pow(8, 1.2), 1e-9);
+  EXPECT_NEAR(estimate.seconds(voxel).value(), 2, 1e-9);  // nothing better is known
+  estimate.finished(voxel, 30);
+  EXPECT_NEAR(estimate.seconds(voxel).value(), 30, 1e-9);
+  EXPECT_NEAR(estimate.seconds(small).value(), 2, 1e-9);
+}
+
+TEST(Estimate, WritesDurationsInTheUnitThatFits) {
+  EXPECT_EQ(duration_text(0.2), "0 s");
+  EXPECT_EQ(duration_text(99), "99 s");
+  EXPECT_EQ(duration_text(185), "3 min");
+  EXPECT_EQ(duration_text(7500), "2 h 05 min");
+}
+
+}  // namespace
+}  // namespace kreisel

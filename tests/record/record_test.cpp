@@ -1,0 +1,315 @@
+#include "record/record.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "error.hpp"
+#include "record/hdf5_file.hpp"
+
+namespace kreisel {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Every field has a value of its own, so that a swap of two cannot pass.
+RunResult made_by_hand() {
+  RunResult r;
+  r.config.body.model = "ellipsoid";
+  r.config.settings = {{"ipopt.hessian_approximation", "limited-memory"}, {"problem.lambda", "0.25"}};
+  r.config.repeat = 3;
+  r.provenance.version = "0.1.0";
+  r.provenance.commit = "0123abc-dirty";
+  r.provenance.device = "pocl-Gerät";  // not ASCII
+  r.provenance.threads = 2;
+  r.provenance.device_fp64 = true;
+  r.provenance.started = "2024-05-06T07:08:09Z";
+  r.body_name = "ellipsoid";
+  r.frame.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  r.frame.origin = {1, 2, 3};
+  r.frame.length = r.length_mm = 30;
+  r.contact = {1, 2, 3};
+  r.solid_mass_grams = r.mass_unit_grams = 27;
+  for (int k = 0; k < 10; ++k) {
+    r.solid[k] = 1 + 0.1 * k;
+    r.fixed[k] = 0.2 + 0.01 * k;
+    r.interior[k] = 0.8 - 0.02 * k;
+    r.outcome.moments[k] = 0.5 + 0.03 * k;
+    r.rounding.moments[k] = 0.5 + 0.031 * k;
+    r.verified.moments[k] = 0.5 + 0.032 * k;
+  }
+  r.grid = {{6, 5, 4}, {-0.3, -0.25, 0}, 0.1};
+  r.wall = 0.15;
+  r.intervals = {{1, 2, 0, 3}, {2, 2, 1, 4}};
+  r.rays = 2;
+  r.inside_voxels = 40;
+  r.interior_voxels = 6;
+  r.solid_objective = 1.5;
+  r.variables = 4;
+  r.outcome.termination = Termination::acceptable;
+  r.outcome.message = "solved to acceptable level";
+  r.outcome.iterations = 2;
+  r.outcome.x = {0.25, 2.5, 1.5, 3.75};
+  r.outcome.objective = 0.75;
+  r.outcome.violation = 1e-12;
+  r.outcome.evaluations = {5, 4, 3, 2, 1};
+  r.outcome.history = {{0, 1.0, 0.1, 0.2, 0.3, 0.0, 0}, {1, 0.8, 0.01, 0.02, 0.03, 0.4, 2}};
+  r.samples = {{0.1, 0.3, 0.5, 0.6}, {0.2, 0.4, 0.7, 0.9}, {0.3, 0.5, 0.9, 1.2}};
+  r.median = {0.2, 0.4, 0.7, 0.9};
+  r.rounding.objective = 0.76;
+  r.rounding.violation = 1e-4;
+  r.rounding.solid_voxels = 4;
+  r.rounding.void_voxels = 2;
+  r.rounding.mended_voxels = 1;
+  r.verified.verdict = {true, "spins", {{"off_axis", 1e-5}, {"omega_min_rpm", nan}}};
+  r.verified.file = "part.stl";
+  r.verified.triangles = 100;
+  r.verified.void_triangles = 20;
+  return r;
+}
+
+void expect_equal(const Seconds& got, const Seconds& want) {
+  EXPECT_EQ(got.setup, want.setup);
+  EXPECT_EQ(got.kernels, want.kernels);
+  EXPECT_EQ(got.solve, want.solve);
+  EXPECT_EQ(got.total, want.total);
+}
+
+class Record : public ::testing::Test {
+ protected:
+  Record() {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() /
+              ("kreisel_record_" + std::string(info->name()) + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  ~Record() override { fs::remove_all(folder_); }
+
+  std::size_t files() const {
+    return std::size_t(std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}));
+  }
+
+  /// What read_record() says of a file it refuses.
+  std::string refusal(const fs::path& path) const {
+    try {
+      (void)read_record(path);
+    } catch (const InputError& e) {
+      EXPECT_NE(std::string(e.what()).find(path.string()), std::string::npos) << e.what();
+      return e.what();
+    }
+    ADD_FAILURE() << path << " was read";
+    return {};
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Record, GivesBackWhatWasWritten) {
+  const RunResult r = made_by_hand();
+  const fs::path path = folder_ / "new" / "folder" / "run.h5";
+  write_record(path, r);
+  const RecordSummary s = read_record(path);
+  EXPECT_EQ(s.path, path);
+  EXPECT_EQ(s.config, describe(r.config));
+  EXPECT_EQ(s.error, "");
+  EXPECT_EQ(s.model, "ellipsoid");
+  EXPECT_EQ(s.problem, "spin");
+  EXPECT_EQ(s.formulation, "rayrep");
+  EXPECT_EQ(s.solver, "ipopt");
+  EXPECT_EQ(s.termination, "acceptable");
+  EXPECT_EQ(s.message, r.outcome.message);
+  EXPECT_EQ(s.grid, r.grid.n);
+  EXPECT_EQ(s.rays, 2u);
+  EXPECT_EQ(s.interior_voxels, 6u);
+  EXPECT_EQ(s.variables, 4u);
+  EXPECT_EQ(s.iterations, 2);
+  EXPECT_EQ(s.objective, 0.75);
+  EXPECT_EQ(s.violation, 1e-12);
+  EXPECT_EQ(s.rounded_objective, 0.76);
+  EXPECT_EQ(s.rounded_violation, 1e-4);
+  EXPECT_EQ(s.mended_voxels, 1u);
+  EXPECT_TRUE(s.verified_ok);
+  EXPECT_EQ(s.verified_text, "spins");
+  expect_equal(s.median, r.median);
+  ASSERT_EQ(s.samples.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) expect_equal(s.samples[i], r.samples[i]);
+  EXPECT_EQ(s.commit, "0123abc-dirty");
+  EXPECT_EQ(s.device, "pocl-Gerät");
+  EXPECT_EQ(s.started, "2024-05-06T07:08:09Z");
+}
+
+TEST_F(Record, KeepsTablesWithTheirShapes) {
+  RunResult r = made_by_hand();
+  r.outcome.x.assign(100'000, 0.0);  // several compressed chunks
+  for (std::size_t i = 0; i < r.outcome.x.size(); ++i) r.outcome.x[i] = std::sin(double(i));
+  write_record(folder_ / "run.h5", r);
+  const auto file = hdf5::File::open(folder_ / "run.h5");
+  EXPECT_EQ(file.group("solve").read("x").values, r.outcome.x);
+  EXPECT_EQ(file.group("solve").read("history").shape, (hdf5::Shape{2, 7}));
+  EXPECT_EQ(file.group("solve").read("samples").shape, (hdf5::Shape{3, 4}));
+  EXPECT_EQ(file.group("domain").read_integers("intervals").values,
+            (std::vector<int>{1, 2, 0, 3, 2, 2, 1, 4}));
+  const std::vector<double> by_rows = {0, -1, 0, 1, 0, 0, 0, 0, 1};
+  EXPECT_EQ(file.group("body").read("frame_rotation").values, by_rows);
+  const Moments model = r.model_moments(r.outcome.moments);
+  EXPECT_EQ(file.group("solve").read("moments_model").values,
+            std::vector<double>(model.data(), model.data() + model.size()));
+}
+
+TEST_F(Record, IsTheSameFileForTheSameResult) {
+  const auto bytes = [](const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  write_record(folder_ / "a.h5", made_by_hand());
+  write_record(folder_ / "b.h5", made_by_hand());
+  EXPECT_EQ(bytes(folder_ / "a.h5"), bytes(folder_ / "b.h5"));
+}
+
+TEST_F(Record, OfNothingButDefaultsIsReadBack) {
+  write_record(folder_ / "run.h5", RunResult{});
+  const RecordSummary s = read_record(folder_ / "run.h5");
+  EXPECT_EQ(s.termination, "failed");
+  EXPECT_TRUE(s.samples.empty());
+}
+
+TEST_F(Record, KeepsWhatIsNotANumber) {
+  RunResult r = made_by_hand();
+  r.outcome.objective = nan;
+  r.rounding.objective = std::numeric_limits<double>::infinity();
+  write_record(folder_ / "run.h5", r);
+  const RecordSummary s = read_record(folder_ / "run.h5");
+  EXPECT_TRUE(std::isnan(s.objective));
+  EXPECT_EQ(s.rounded_objective, std::numeric_limits<double>::infinity());
+  const auto file = hdf5::File::open(folder_ / "run.h5");
+  EXPECT_TRUE(std::isnan(file.group("verified").group("values").real("omega_min_rpm")));
+}
+
+TEST_F(Record, OfAFailedRunSaysWhy) {
+  const RunResult r = made_by_hand();
+  const std::string log(100'000, '!');  // more than an attribute of fixed length may hold
+  write_failure(folder_ / "run.h5", r.config, r.provenance, "no interior left" + log);
+  const RecordSummary s = read_record(folder_ / "run.h5");
+  EXPECT_EQ(s.error, "no interior left" + log);
+  EXPECT_EQ(s.config, describe(r.config));
+  EXPECT_EQ(s.formulation, "rayrep");
+  EXPECT_EQ(s.commit, r.provenance.commit);
+  EXPECT_EQ(s.termination, "");
+}
+
+TEST_F(Record, ReplacesAnEarlierOneAndLeavesNothingElse) {
+  RunResult r = made_by_hand();
+  write_record(folder_ / "run.h5", r);
+  r.outcome.iterations = 77;
+  write_record(folder_ / "run.h5", r);
+  EXPECT_EQ(read_record(folder_ / "run.h5").iterations, 77);
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(Record, LeavesNothingBehindWhenItCannotBeWritten) {
+  std::ofstream(folder_ / "file") << "no folder";  // holds for root too, unlike permissions
+  EXPECT_THROW(write_record(folder_ / "file" / "run.h5", made_by_hand()), InputError);
+  EXPECT_THROW(write_text(folder_ / "file" / "run.json", "{}"), InputError);
+  fs::create_directories(folder_ / "run.h5" / "in_the_way");  // the name is taken by a folder
+  EXPECT_THROW(write_record(folder_ / "run.h5", made_by_hand()), InputError);
+  EXPECT_THROW(write_text(folder_ / "run.h5", "{}"), InputError);
+  EXPECT_EQ(files(), 2u);
+}
+
+TEST_F(Record, RefusesWhatIsNoRecord) {
+  EXPECT_NE(refusal(folder_ / "absent.h5").find("expected an HDF5 file"), std::string::npos);
+  std::ofstream(folder_ / "text.h5") << "text";
+  EXPECT_NE(refusal(folder_ / "text.h5").find("expected an HDF5 file"), std::string::npos);
+  hdf5::File::create(folder_ / "other.h5").close();
+  EXPECT_NE(refusal(folder_ / "other.h5").find("not a record"), std::string::npos);
+}
+
+TEST_F(Record, OfANewerSchemaIsRefused) {
+  {
+    auto file = hdf5::File::create(folder_ / "newer.h5");
+    file.set("schema", "kreisel run");
+    file.set("schema_version", record_schema_version + 1);
+  }
+  EXPECT_NE(refusal(folder_ / "newer.h5").find("newer program"), std::string::npos);
+}
+
+TEST_F(Record, CutShortIsRefused) {
+  write_record(folder_ / "run.h5", made_by_hand());
+  fs::resize_file(folder_ / "run.h5", fs::file_size(folder_ / "run.h5") / 2);
+  (void)refusal(folder_ / "run.h5");
+}
+
+TEST(RecordJson, HasTheDocumentedNames) {
+  const RunResult r = made_by_hand();
+  const nlohmann::json j = to_json(r);
+  EXPECT_EQ(j.at("model"), "ellipsoid");
+  EXPECT_EQ(j.at("problem"), "spin");
+  EXPECT_EQ(j.at("formulation"), "rayrep");
+  EXPECT_EQ(j.at("solver"), "ipopt");
+  EXPECT_EQ(j.at("grid"), (nlohmann::json{6, 5, 4}));
+  EXPECT_EQ(j.at("variables"), 4);
+  EXPECT_EQ(j.at("iterations"), 2);
+  EXPECT_EQ(j.at("termination"), "acceptable");
+  EXPECT_EQ(j.at("objective"), 0.75);
+  EXPECT_EQ(j.at("constraint_violation"), 1e-12);
+  const Moments model = r.model_moments(r.rounding.moments);
+  ASSERT_EQ(j.at("moments").size(), 10u);
+  for (std::size_t k = 0; k < 10; ++k) EXPECT_EQ(j.at("moments")[k], model[Eigen::Index(k)]);
+  EXPECT_EQ(j.at("moments_frame").at("origin"), (nlohmann::json{0.0, 0.0, 0.0}));
+  EXPECT_EQ(j.at("moments_frame").at("axes")[1], (nlohmann::json{0.0, 1.0, 0.0}));
+  const nlohmann::json median = {{"setup", 0.2}, {"kernels", 0.4}, {"solve", 0.7}, {"total", 0.9}};
+  EXPECT_EQ(j.at("seconds"), median);
+  EXPECT_EQ(j.at("samples").size(), 3u);
+  EXPECT_EQ(j.at("samples")[1], median);
+  EXPECT_EQ(j.at("domain"), "columns");
+  EXPECT_EQ(j.at("frame").at("length"), 30.0);
+  EXPECT_EQ(j.at("frame").at("rotation")[0], (nlohmann::json{0.0, -1.0, 0.0}));
+  EXPECT_EQ(j.at("weights"), (nlohmann::json{{"lambda", 0.25}, {"gamma_i", 1.0}}));
+  EXPECT_EQ(j.at("wall"), 0.15 * 30);
+  EXPECT_EQ(j.at("density"), 1.0);
+  EXPECT_TRUE(j.at("bound").is_null());
+  EXPECT_TRUE(j.at("gap").is_null());
+  EXPECT_EQ(j.at("verified").at("ok"), true);
+  EXPECT_EQ(j.at("verified").at("text"), "spins");
+  EXPECT_EQ(j.at("verified").at("off_axis"), 1e-5);
+  EXPECT_EQ(j.at("device"), "pocl-Gerät");
+  EXPECT_EQ(j.at("commit"), "0123abc-dirty");
+}
+
+TEST(RecordJson, TurnsWhatIsNotANumberIntoNull) {
+  RunResult r = made_by_hand();
+  r.outcome.objective = -std::numeric_limits<double>::infinity();
+  const nlohmann::json j = to_json(r);
+  EXPECT_TRUE(j.at("objective").is_null());
+  EXPECT_TRUE(j.at("verified").at("omega_min_rpm").is_null());
+}
+
+TEST(RecordJson, CanBeDumpedWhateverBytesAPathHas) {
+  RunResult r = made_by_hand();
+  r.verified.file = "part\xff.stl";
+  EXPECT_NO_THROW((void)to_json(r).dump());
+}
+
+/// A record for a reader of another language; where KREISEL_TEST_RECORD names a file it stays there.
+TEST_F(Record, IsReadByH5py) {
+  const std::string python = "/usr/bin/python3";
+  if (std::system((python + " -c 'import h5py' 2>/dev/null").c_str()) != 0)
+    GTEST_SKIP() << python << " cannot import h5py";
+  const char* kept = std::getenv("KREISEL_TEST_RECORD");
+  const fs::path path = kept != nullptr && *kept != '\0' ? fs::path(kept) : folder_ / "run.h5";
+  write_record(path, made_by_hand());
+  const fs::path script = fs::absolute(__FILE__).parent_path() / "h5py_test.py";
+  const std::string command = python + " '" + script.string() + "' '" + path.string() + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+}
+
+}  // namespace
+}  // namespace kreisel

@@ -1,0 +1,15 @@
+#include "test_device.hpp"
+
+namespace kreisel {
+
+device::Device& test_device() {
+  static device::Device device;
+  return device;
+}
+
+device::Device& single_device() {
+  static device::Device device({}, device::Precision::single);
+  return device;
+}
+
+}  // namespace kreisel
