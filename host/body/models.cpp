@@ -12,8 +12,8 @@ const std::vector<Model>& models() {
       {.name = "bird",
        .summary = "plump bird, 60 x 45 x 45 mm, spins about z on a peg under its belly",
        .make = bird_shape,
-       // 1.4 mm from the vertical through the centre of mass: far enough that the solid cannot spin, near enough
-       // that the coarsest grid of [RayRep, table 2] is feasible with the midpoint bounds too.
+       // 1.4 mm from the vertical through the centre of mass: far enough that the solid cannot spin, near
+       // enough that the coarsest grid of [RayRep, table 2] is feasible with the midpoint bounds too.
        .contact = Vec3(27.0, 22.4, 0.0)},
   };
   return all;

@@ -110,6 +110,7 @@ json to_json(const RunResult& r) {
       {"iterations", o.iterations},
       {"termination", to_string(o.termination)},
       {"message", o.message},
+      {"solver_settings", o.settings},
       {"objective", o.objective},
       {"solid_objective", r.solid_objective},
       {"constraint_violation", o.violation},

@@ -144,6 +144,7 @@ void write_solve(Group group, const RunResult& r) {
   group.set("repeat", r.config.repeat);
   group.set("budget", r.config.budget_seconds);
   group.set("budget_units", "s");
+  for (const auto& [name, value] : o.settings) group.set("setting_" + name, value);
   write_variables(group, r);
   write_moments(group, "moments", o.moments);
   write_moments(group, "moments_model", r.model_moments(o.moments), model_moment_units);

@@ -18,14 +18,27 @@ namespace {
 
 using Settings = std::map<std::string, std::string>;
 
-/// What we set before the user does. MUMPS' own ordering wants tens of gigabytes for the arrow-shaped systems
-/// of the voxel formulation; approximate minimum degree (0) takes the diagonal first.
-const Settings defaults = {
-    {"print_level", "0"},
-    {"sb", "yes"},
-    {"mumps_pivot_order", "0"},
-    {"hessian_approximation", "exact"},
+/// Ipopt's options before the user's own, and the reach of natural_scale(); found by measuring
+/// (docs/rayrep.md).
+struct Defaults {
+  Settings settings;
+  double reach;
 };
+
+/// `linear`: of the moments in the variables.
+Defaults defaults_for(bool linear) {
+  // MUMPS' own ordering wants tens of gigabytes for the arrow-shaped systems of the voxel formulation;
+  // approximate minimum degree (0) takes the diagonal first. tol is relative to the scaled objective; the
+  // constraints have a tolerance of their own, in body units.
+  Defaults d{{{"print_level", "0"},
+              {"sb", "yes"},
+              {"mumps_pivot_order", "0"},
+              {"hessian_approximation", "exact"},
+              {"constr_viol_tol", "1e-9"},
+              {"tol", linear ? "1e-7" : "1e-5"}},
+             linear ? 1e-2 : 10.0};
+  return d;
+}
 
 template <class T>
 bool parse(const std::string& text, T& value) {
@@ -103,8 +116,7 @@ std::string message_of(Ipopt::ApplicationReturnStatus status) {
 /// parameter (0.1) and multipliers (1) take them to be about 1. Unscaled, the barrier drowns f for the first
 /// iterations and the last barrier parameter leaves a gap of n * 1e-9 / 1e-5. Ipopt's own scaling only
 /// shrinks.
-double natural_scale(const Task& task, const std::vector<double>& start) {
-  constexpr double reach = 10;
+double natural_scale(const Task& task, const std::vector<double>& start, double reach) {
   const Moments s = task.mass.total(task.formulation.moments(start));
   const Moments weight = task.mass.contrast * task.problem.gradient(s);
   std::vector<double> gradient(start.size());
@@ -120,13 +132,17 @@ Outcome solve_with_ipopt(const Task& task, const SolverOptions& options) {
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> app = new Ipopt::IpoptApplication(false);
   app->RethrowNonIpoptException(true);
   Settings settings = options.own;
-  settings.insert(defaults.begin(), defaults.end());  // what the user gave stays
+  const bool linear = task.formulation.moments_are_linear();
+  const Defaults defaults = defaults_for(linear);
+  settings.insert(defaults.settings.begin(), defaults.settings.end());  // what the user gave stays
+  const std::vector<double> start = task.formulation.start(options.start);
+  const double reach = options.reach.value_or(defaults.reach);
+  settings.insert({"obj_scaling_factor", fmt::format("{:.6g}", natural_scale(task, start, reach))});
+  // Nearly a linear program; Mehrotra's rules do not go with L-BFGS' poor steps.
+  if (linear && settings.at("hessian_approximation") == "exact")
+    settings.insert({"mehrotra_algorithm", "yes"});
   for (const auto& [name, value] : settings) set_option(*app, name, value);
   const bool lifted = settings.at("hessian_approximation") == "exact";
-
-  std::vector<double> start = task.formulation.start(options.start);
-  if (!settings.contains("obj_scaling_factor"))
-    app->Options()->SetNumericValue("obj_scaling_factor", natural_scale(task, start));
 
   // Ctrl-C is ours, so Ipopt reads no options file either: everything that counts is in the record.
   app->Options()->SetStringValue("option_file_name", "");
@@ -134,8 +150,8 @@ Outcome solve_with_ipopt(const Task& task, const SolverOptions& options) {
 
   task.device.reset_kernel_seconds();
   const auto begin = std::chrono::steady_clock::now();
-  const Ipopt::SmartPtr<Nlp> nlp = lifted ? make_lifted_nlp(task, std::move(start), options.convexify)
-                                          : make_direct_nlp(task, std::move(start));
+  const Ipopt::SmartPtr<Nlp> nlp =
+      lifted ? make_lifted_nlp(task, start, options.convexify) : make_direct_nlp(task, start);
   const Ipopt::ApplicationReturnStatus status = app->OptimizeTNLP(GetRawPtr(nlp));
 
   Outcome outcome;
@@ -143,6 +159,7 @@ Outcome solve_with_ipopt(const Task& task, const SolverOptions& options) {
   outcome.kernel_seconds = task.device.kernel_seconds();
   outcome.termination = termination_of(status);
   outcome.message = message_of(status);
+  outcome.settings = settings;
   outcome.evaluations = nlp->evaluations();
   outcome.history = nlp->history();
   outcome.x = nlp->solution().empty() ? task.formulation.start(options.start) : nlp->solution();

@@ -12,8 +12,9 @@ namespace kreisel {
 ///   exact           the lifted form (default): the ten moments are variables too, tied by s = s(x), so the
 ///                   Hessian of the Lagrangian is a diagonal and one 10 x 10 block
 ///
-/// options.own takes any option of Ipopt's, by name. Two defaults differ from Ipopt's: mumps_pivot_order is
-/// AMD, and obj_scaling_factor makes f's largest derivative at the start 10.
+/// options.own takes any option of Ipopt's, by name. Those that differ from Ipopt's own depend
+/// on whether the moments are linear in x; what was in force is in Outcome::settings (docs/rayrep.md says
+/// why).
 ///
 /// @throws InputError  an option or value that Ipopt doesn't know
 Outcome solve_with_ipopt(const Task& task, const SolverOptions& options);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "error.hpp"
 #include "solve/ipopt.hpp"
@@ -33,11 +34,16 @@ SolverOptions parse_solver_options(const std::map<std::string, std::string>& set
       options.start = parse_start(value);
     else if (name == "curvature" && (value == "convex" || value == "full"))
       options.convexify = value == "convex";
-    else
-      throw InputError(
-          fmt::format("solver.{} = {}; expected start = lower, middle or upper, or curvature = convex or "
-                      "full",
-                      name, value));
+    else if (name == "reach") {
+      const auto [end, status] =
+          std::from_chars(value.data(), value.data() + value.size(), options.reach.emplace());
+      if (status != std::errc() || end != value.data() + value.size() || !(*options.reach > 0))
+        throw InputError(fmt::format("solver.reach = {}; expected a number > 0", value));
+    } else
+      throw InputError(fmt::format(
+          "solver.{} = {}; expected start = lower, middle or upper, curvature = convex or full, or reach = "
+          "NUMBER",
+          name, value));
   }
   return options;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,7 @@ struct Outcome {
   double kernel_seconds = 0, solve_seconds = 0;        ///< the first is part of the second
   Evaluations evaluations;
   std::vector<Iterate> history;
+  std::map<std::string, std::string> settings;  ///< the solver's own options as they were in force
 };
 
 /// What is to be solved; all parts outlive the solve.
@@ -57,10 +59,13 @@ struct SolverOptions {
   Start start = Start::middle;
   /// Drop the negative curvature of the moments: the model of every variable stays convex.
   bool convexify = true;
+  /// Largest derivative of the scaled objective at the start, > 0; empty: what suits the formulation.
+  std::optional<double> reach;
   std::map<std::string, std::string> own;  ///< passed to the solver by name: `--set ipopt.NAME=VALUE`
 };
 
-/// From `--set solver.NAME=VALUE`: start = lower | middle | upper, curvature = convex | full.
+/// From `--set solver.NAME=VALUE`: start = lower | middle | upper, curvature = convex | full,
+/// reach = NUMBER.
 /// @throws InputError  another name or value
 [[nodiscard]] SolverOptions parse_solver_options(const std::map<std::string, std::string>& settings);
 
