@@ -25,18 +25,21 @@ struct Defaults {
   double reach;
 };
 
-/// `linear`: of the moments in the variables.
-Defaults defaults_for(bool linear) {
+/// `linear`: of the moments in the variables; `exact`: the lifted form.
+Defaults defaults_for(bool linear, bool exact) {
   // MUMPS' own ordering wants tens of gigabytes for the arrow-shaped systems of the voxel formulation;
   // approximate minimum degree (0) takes the diagonal first. tol is relative to the scaled objective; the
   // constraints have a tolerance of their own, in body units.
   Defaults d{{{"print_level", "0"},
               {"sb", "yes"},
               {"mumps_pivot_order", "0"},
-              {"hessian_approximation", "exact"},
               {"constr_viol_tol", "1e-9"},
-              {"tol", linear ? "1e-7" : "1e-5"}},
+              {"tol", !linear ? "1e-5"
+                      : exact ? "1e-7"
+                              : "1e-6"}},
              linear ? 1e-2 : 10.0};
+  // Nearly a linear program; Mehrotra's rules do not go with L-BFGS' poor steps.
+  if (linear && exact) d.settings.insert({"mehrotra_algorithm", "yes"});
   return d;
 }
 
@@ -132,18 +135,15 @@ Outcome solve_with_ipopt(const Task& task, const SolverOptions& options) {
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> app = new Ipopt::IpoptApplication(false);
   app->RethrowNonIpoptException(true);
   Settings settings = options.own;
+  settings.insert({"hessian_approximation", "exact"});  // what the user gave stays, here and below
+  const bool lifted = settings.at("hessian_approximation") == "exact";
   const bool linear = task.formulation.moments_are_linear();
-  const Defaults defaults = defaults_for(linear);
-  settings.insert(defaults.settings.begin(), defaults.settings.end());  // what the user gave stays
+  const Defaults defaults = defaults_for(linear, lifted);
+  settings.insert(defaults.settings.begin(), defaults.settings.end());
   const std::vector<double> start = task.formulation.start(options.start);
   const double reach = options.reach.value_or(defaults.reach);
   settings.insert({"obj_scaling_factor", fmt::format("{:.6g}", natural_scale(task, start, reach))});
-  // Nearly a linear program; Mehrotra's rules do not go with L-BFGS' poor steps.
-  if (linear && settings.at("hessian_approximation") == "exact")
-    settings.insert({"mehrotra_algorithm", "yes"});
   for (const auto& [name, value] : settings) set_option(*app, name, value);
-  const bool lifted = settings.at("hessian_approximation") == "exact";
-
   // Ctrl-C is ours, so Ipopt reads no options file either: everything that counts is in the record.
   app->Options()->SetStringValue("option_file_name", "");
   if (app->Initialize("") != Ipopt::Solve_Succeeded) throw InputError("Ipopt refuses its options");
