@@ -70,13 +70,25 @@ class RayRep final : public Formulation {
   Rounded round(std::span<const double> x) const override {
     Rounded rounded{VoxelSet(domain_, false)};
     const Grid& grid = domain_.grid;
-    const auto nearest = [&](double z, const Interval& run) {
-      const double index = std::round((z * unit_ - grid.origin[2]) / grid.h);
-      return std::clamp(static_cast<int>(index), run.k0, run.k1);
+    // An interior-point solver stops a little short of an active bound; there we take it to be at the bound.
+    // In cells above the grid's floor.
+    const auto height = [&](std::size_t j) {
+      const double close = 1e-3 * grid.h / unit_;
+      double z = x[j];
+      if (std::abs(z - bounds_.lower[j]) < close) z = bounds_.lower[j];
+      if (std::abs(z - bounds_.upper[j]) < close) z = bounds_.upper[j];
+      return (z * unit_ - grid.origin[2]) / grid.h;
     };
     for (std::size_t i = 0; i < domain_.intervals.size(); ++i) {
       const Interval& run = domain_.intervals[i];
-      const int from = nearest(x[2 * i], run), to = nearest(x[2 * i + 1], run);
+      // Halves are common, for the middle of an odd run is one. They go towards the segment's inside at both
+      // ends: a void ray stays void, and a body that is point-symmetric is rounded alike on either side of
+      // its axis.
+      constexpr double round_off = 1e-9;
+      const int from =
+          std::clamp(static_cast<int>(std::floor(height(2 * i) + 0.5 + round_off)), run.k0, run.k1);
+      const int to =
+          std::clamp(static_cast<int>(std::ceil(height(2 * i + 1) - 0.5 - round_off)), run.k0, run.k1);
       for (int k = from; k < to; ++k)
         rounded.solid.set(rounded.solid.first(i) + static_cast<std::size_t>(k - run.k0), true);
     }

@@ -38,8 +38,6 @@ Defaults defaults_for(bool linear, bool exact) {
                       : exact ? "1e-7"
                               : "1e-6"}},
              linear ? 1e-2 : 10.0};
-  // Nearly a linear program; Mehrotra's rules do not go with L-BFGS' poor steps.
-  if (linear && exact) d.settings.insert({"mehrotra_algorithm", "yes"});
   return d;
 }
 

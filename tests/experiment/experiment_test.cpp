@@ -199,7 +199,7 @@ TEST(RayrepTable2, SolvesThePapersSevenGridsBothWaysUnderTwoLabels) {
   for (const auto& [config, label, mesh] : experiment.runs) {
     ++count[label + ' ' + config.formulation];
     EXPECT_EQ(config.problem, "spin");
-    EXPECT_EQ(config.repeat, 5);
+    EXPECT_EQ(config.repeat, 3);
     EXPECT_EQ(config.budget_seconds, 20);
     EXPECT_EQ(to_string(config.wall), "1.5h");
     EXPECT_EQ(config.settings.at("ipopt.hessian_approximation"),
