@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -74,6 +75,17 @@ TEST_F(Bench, WritesAMeshWhoseMomentsAreTheReportedOnes) {
   for (int k = 0; k < 10; ++k)
     EXPECT_NEAR(written[k], json.at("moments")[k].get<double>(), 1e-6 * reach[k] * written[S1])
         << "moment " << k;
+}
+
+TEST_F(Bench, WritesARecordThatH5pyReadsByTheSchema) {
+  if (std::system("/usr/bin/python3 -c 'import h5py' 2>/dev/null") != 0)
+    GTEST_SKIP() << "h5py is not installed";
+  const Answer a = bench(fmt::format("{} --record {}", small, file("run.h5")));
+  ASSERT_NE(a.code, 2) << a.out;
+  EXPECT_EQ(std::system(fmt::format("/usr/bin/python3 '{}/tests/record/h5py_test.py' {}", KREISEL_SOURCE,
+                                    file("run.h5"))
+                            .c_str()),
+            0);
 }
 
 TEST_F(Bench, JsonToStandardOutputIsAlone) {
