@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """How much faster is the ray-rep than voxels? One panel a model, one line a Hessian, published ratios hollow.
 
-A pair is two converged runs whose configurations differ in nothing but the formulation.
+A pair is two converged runs whose configurations differ in the formulation and, at most, in solver settings other
+than the Hessian: each side may have the settings that suit it best.
 """
 
 import argparse
@@ -52,7 +53,8 @@ def usable(found, device):
 
 def problem_of(run):
     """Everything that a pair has in common."""
-    own = {k: v for k, v in run["config"].items() if k != "formulation" and not k.startswith("formulation.")}
+    own = {k: v for k, v in run["config"].items() if k != "formulation" and "." not in k}
+    own["hessian"] = run["config"].get("ipopt.hessian_approximation", "exact")
     return tuple(sorted(own.items())), tuple(run["domain"]["grid"])
 
 
