@@ -7,31 +7,55 @@
 
 #include "body/mesh_moments.hpp"
 #include "body/models.hpp"
+#include "body/models/debian_meshes.hpp"
 #include "error.hpp"
 #include "mesh/check.hpp"
 #include "mesh/read.hpp"
+#include "nearest.hpp"
 
 namespace kreisel {
 namespace {
 
+/// A mesh with what its origin says of it.
 struct Source {
+  std::string name;
   TriangleMesh mesh;
-  const Model* model = nullptr;  ///< nullptr: from a file
+  Vec3 axis = Vec3::UnitZ(), up = Vec3::UnitZ();
+  std::optional<Vec3> contact;
+  std::optional<double> size;  ///< to be scaled to, mm
 };
+
+[[noreturn]] void unknown(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const Model& m : models()) names.push_back(m.name);
+  for (const DebianMesh& m : debian_meshes()) names.push_back(m.name);
+  const std::string meant = nearest(name, names);
+  throw InputError(
+      fmt::format("model '{}' is neither a known name nor a file; {}", name,
+                  meant.empty() ? "`bench list` shows the names" : fmt::format("did you mean '{}'?", meant)));
+}
 
 Source load(const BodySpec& spec) {
   if (const Model* model = find_model(spec.model)) {
     if (spec.fineness < 0)
       throw InputError(fmt::format("fineness {} of model '{}'; expected >= 1", spec.fineness, spec.model));
-    return {model->make(spec.fineness ? spec.fineness : model->default_fineness), model};
+    return {.name = spec.model,
+            .mesh = model->make(spec.fineness ? spec.fineness : model->default_fineness),
+            .axis = model->axis,
+            .up = model->up,
+            .contact = model->contact,
+            .size = {}};
   }
+  if (const DebianMesh* real = find_debian_mesh(spec.model))
+    return {.name = spec.model,
+            .mesh = read_debian_mesh(*real),
+            .axis = real->up,
+            .up = real->up,
+            .contact = {},
+            .size = DebianMesh::size};
   const std::filesystem::path path(spec.model);
-  if (!path.has_extension() && !std::filesystem::exists(path)) {
-    std::string names;
-    for (const Model& m : models()) names += fmt::format("{}{}", names.empty() ? "" : ", ", m.name);
-    throw InputError(fmt::format("model '{}' is neither a known name ({}) nor a file", spec.model, names));
-  }
-  return {read_mesh(path), nullptr};
+  if (!path.has_extension() && !std::filesystem::exists(path)) unknown(spec.model);
+  return {.name = path.stem().string(), .mesh = read_mesh(path), .contact = {}, .size = {}};
 }
 
 /// Mean of the vertices that are lowest along the axis: a flat base gives its middle, a tip gives itself.
@@ -92,22 +116,22 @@ Body make_body(const BodySpec& spec, device::Device& device) {
   require_solid(source.mesh, spec.model);
 
   Body body;
-  body.name =
-      source.model ? std::string(source.model->name) : std::filesystem::path(spec.model).stem().string();
+  body.name = source.name;
   body.density = spec.density;
   body.void_density = spec.void_density;
-  const double scale = spec.size ? *spec.size / bounding_box(source.mesh).extent().maxCoeff() : 1.0;
+  const std::optional<double> size = spec.size ? spec.size : source.size;
+  const double scale = size ? *size / bounding_box(source.mesh).extent().maxCoeff() : 1.0;
   for (Vec3& v : source.mesh.vertices) v *= scale;
   body.mesh = std::move(source.mesh);
 
-  const Vec3 up = spec.up        ? direction(*spec.up, "--up")
-                  : source.model ? source.model->axis
-                                 : Vec3(Vec3::UnitZ());
-  body.axis = spec.axis ? direction(*spec.axis, "--axis") : up.normalized();
+  const Vec3 up = spec.up ? direction(*spec.up, "--up") : source.up.normalized();
+  body.axis = spec.axis                        ? direction(*spec.axis, "--axis")
+              : spec.up || spec.stands_upright ? up
+                                               : source.axis.normalized();
   // A contact point given by hand is in the coordinates of the file as it is written out, after --size.
-  body.contact = spec.contact                            ? *spec.contact
-                 : source.model && source.model->contact ? Vec3(scale * *source.model->contact)
-                                                         : lowest_point(body.mesh, body.axis);
+  body.contact = spec.contact     ? *spec.contact
+                 : source.contact ? Vec3(scale * *source.contact)
+                                  : lowest_point(body.mesh, body.axis);
   if (!body.contact.allFinite()) throw InputError("--contact is not finite; expected three numbers, mm");
 
   if (spec.contact) require_near_axis(body);

@@ -13,14 +13,17 @@ namespace kreisel {
 
 /// What the user says of a body; what is left out comes from the model, else from the defaults named here.
 struct BodySpec {
-  std::string model = "ellipsoid";  ///< a name of models(), or a mesh file
-  std::optional<Vec3> axis;         ///< spin axis, model coordinates; default `up`
-  std::optional<Vec3> up;           ///< default the model's axis, else +z
+  std::string model = "ellipsoid";  ///< a name of models() or debian_meshes(), or a mesh file
+  std::optional<Vec3> axis;     ///< spin axis, model coordinates; default `up` where given, else the model's
+  std::optional<Vec3> up;       ///< default the model's, else +z
   std::optional<Vec3> contact;  ///< a point of the axis; default the model's, else the lowest point along it
-  std::optional<double> size;   ///< longest side of the bounding box, mm; default as the model is
-  double density = 1.0;         ///< g/cm^3, > 0
-  double void_density = 0.0;    ///< of what fills the voids, g/cm^3; >= 0, below `density`
-  int fineness = 0;             ///< of a parametric model; 0: the model's own default
+  /// Longest side of the bounding box, mm; default the model's, else as the file is.
+  std::optional<double> size;
+  double density = 1.0;       ///< g/cm^3, > 0
+  double void_density = 0.0;  ///< of what fills the voids, g/cm^3; >= 0, below `density`
+  int fineness = 0;           ///< of a parametric model; 0: the model's own default
+  /// The body frame's z is `up`, not the spin axis, unless `axis` is given.
+  bool stands_upright = false;
 };
 
 /// A solid of uniform density. Body units: lengths in L = V^(1/3), masses in the solid's own mass.

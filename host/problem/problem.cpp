@@ -22,12 +22,12 @@ const std::vector<ProblemEntry>& problems() {
        "spins about its axis: centre of mass on it, principal, and the largest moment [RayRep, eq. 7-10]",
        make_spin},
       {"stand", "stands: centre of mass over the base and low, or the largest tilt before toppling",
-       make_stand},
+       make_stand, true},
       {"float",
        "floats upright at a given draft: centre of mass over that of buoyancy, and low [RayRep, eq. 3-5]",
-       make_float},
+       make_float, true},
       {"balance", "centre of mass at a given point or on a given line, with as much material as possible",
-       make_balance},
+       make_balance, true},
   };
   return all;
 }

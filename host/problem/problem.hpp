@@ -78,6 +78,7 @@ struct ProblemEntry {
   std::string_view name, summary;
   /// @param body  what is to spin, stand or float; not kept
   std::unique_ptr<Problem> (*make)(const ProblemSettings& settings, const Body& body);
+  bool upright = false;  ///< goes by the body's up direction, not by its spin axis
 };
 
 [[nodiscard]] const std::vector<ProblemEntry>& problems();

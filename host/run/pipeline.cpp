@@ -111,7 +111,9 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
 
   tell("set-up");
   const Stopwatch setup;
-  const Body body = make_body(config.body, device);
+  BodySpec spec = config.body;
+  spec.stands_upright = asked.upright;
+  const Body body = make_body(spec, device);
   const std::unique_ptr<Problem> problem = asked.make(settings_of(config, "problem"), body);
   const Columns domain = make_columns(body, config.grid, config.wall);
   const MassModel mass = hollowed(body, domain.interior);
