@@ -10,6 +10,7 @@
 #include "error.hpp"
 #include "mesh/check.hpp"
 #include "mesh/read.hpp"
+#include "mesh/solid.hpp"
 
 namespace kreisel {
 namespace {
@@ -67,9 +68,14 @@ Body make_body(const BodySpec& spec, device::Device& device) {
     throw InputError(fmt::format("size {} mm; expected > 0", *spec.size));
 
   Source source = load(spec);
-  require_solid(source.mesh, spec.model);
-
   Body body;
+  if (source.model) {
+    require_solid(source.mesh, spec.model);
+  } else {
+    RepairReport report;
+    source.mesh = make_solid(std::move(source.mesh), spec.model, report);
+    body.repairs = std::move(report.lines);
+  }
   body.name =
       source.model ? std::string(source.model->name) : std::filesystem::path(spec.model).stem().string();
   body.density = spec.density;

@@ -3,7 +3,7 @@
 #include "error.hpp"
 #include "record/hdf5_file.hpp"
 #include "record/record.hpp"
-#include "record/replace_file.hpp"
+#include "file/replace_file.hpp"
 
 namespace kreisel {
 namespace {
