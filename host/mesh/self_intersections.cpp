@@ -15,10 +15,16 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-float below(double x) { return std::nextafter(static_cast<float>(x), -infinity); }
-float above(double x) { return std::nextafter(static_cast<float>(x), infinity); }
+Eigen::Vector3f below(const Vec3& p) {
+  return p.cast<float>().unaryExpr([](float x) { return std::nextafter(x, -infinity); });
+}
+Eigen::Vector3f above(const Vec3& p) {
+  return p.cast<float>().unaryExpr([](float x) { return std::nextafter(x, infinity); });
+}
 
 struct Search {
+  Vec3 centre;   ///< boxes are taken about it, in units of
+  double scale;  ///< the size: rounded, but monotonically, so what overlaps goes on overlapping
   std::vector<NumberedTriangle> triangles;  ///< those with area
   std::vector<std::uint32_t> index;         ///< of each in the mesh
   std::vector<std::array<std::uint32_t, 2>> pairs;
@@ -27,10 +33,12 @@ struct Search {
 void set_bounds(const RTCBoundsFunctionArguments* arguments) {
   const auto& search = *static_cast<const Search*>(arguments->geometryUserPtr);
   const auto& c = search.triangles[arguments->primID].corner;
-  const Vec3 lo = c[0].cwiseMin(c[1]).cwiseMin(c[2]), hi = c[0].cwiseMax(c[1]).cwiseMax(c[2]);
+  const auto local = [&](const Vec3& p) -> Vec3 { return (p - search.centre) * search.scale; };
+  const Eigen::Vector3f lo = below(local(c[0].cwiseMin(c[1]).cwiseMin(c[2])));
+  const Eigen::Vector3f hi = above(local(c[0].cwiseMax(c[1]).cwiseMax(c[2])));
   RTCBounds& b = *arguments->bounds_o;
-  b.lower_x = below(lo.x()), b.lower_y = below(lo.y()), b.lower_z = below(lo.z());
-  b.upper_x = above(hi.x()), b.upper_y = above(hi.y()), b.upper_z = above(hi.z());
+  b.lower_x = lo.x(), b.lower_y = lo.y(), b.lower_z = lo.z();
+  b.upper_x = hi.x(), b.upper_y = hi.y(), b.upper_z = hi.z();
 }
 
 /// Embree gives candidates in batches, a pair of primitives perhaps in either order.
@@ -46,6 +54,10 @@ void judge(void* user, RTCCollision* candidates, unsigned count) {
 
 Search numbered(const TriangleMesh& mesh) {
   Search search;
+  const Box box = bounding_box(mesh);
+  search.centre = 0.5 * (box.lo + box.hi);
+  const double size = box.extent().maxCoeff();
+  search.scale = size > 0 ? 1 / size : 1;
   const std::vector<std::uint32_t> first = first_equal_vertex(mesh.vertices);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& [a, b, c] = mesh.triangles[i];
@@ -60,6 +72,7 @@ Search numbered(const TriangleMesh& mesh) {
 }  // namespace
 
 std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) return {};
   Search search = numbered(mesh);
   const RTCDevice device = rtcNewDevice("threads=1");  // one thread: judge() appends
   const RTCScene scene = rtcNewScene(device);

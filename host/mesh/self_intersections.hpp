@@ -11,7 +11,7 @@ namespace kreisel {
 /// with equal coordinates count as shared, so surfaces may touch along common edges. Triangles whose corners
 /// lie on one line are passed over. The candidates come from Embree's hierarchy over boxes rounded outward to
 /// single precision, the decision is exact (triangle_pair.hpp): no pair is missed and none is invented.
-/// Coordinates must be within single precision's range. O(n log n) for ordinary surfaces.
+/// O(n log n) for ordinary surfaces.
 [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh& mesh);
 
 }  // namespace kreisel
