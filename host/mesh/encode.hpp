@@ -12,7 +12,8 @@ namespace kreisel {
 /// @throws InputError  a coordinate that is not finite, or what the format cannot hold
 /// Binary STL: single precision; a triangle without area has a zero normal.
 [[nodiscard]] std::string encode_stl(const std::vector<TriangleMesh>& parts, const std::string& name);
-/// One object in millimetres, so that an inner part is a cavity of the outer; single precision.
+/// One object in millimetres, so that an inner part is a cavity of the outer; single precision, cut to
+/// six decimals (1 nm) by lib3mf.
 [[nodiscard]] std::string encode_3mf(const std::vector<TriangleMesh>& parts, const std::string& name);
 /// Text with the fewest digits that give back the same doubles.
 [[nodiscard]] std::string encode_obj(const std::vector<TriangleMesh>& parts, const std::string& name);

@@ -9,17 +9,19 @@
 namespace kreisel {
 namespace {
 
+__extension__ typedef __int128 Wide;  // not ISO, but of every 64-bit GCC and Clang
+
 /// Sign of the determinant in integers: the coordinates are multiples of 2^-shift, small enough for 128 bits.
 int integer_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, int shift) {
   const auto whole = [&](const Vec3& p, const Vec3& q) {
-    std::array<__int128, 3> r;
+    std::array<Wide, 3> r;
     for (int k = 0; k < 3; ++k)
-      r[std::size_t(k)] = __int128(std::ldexp(p[k], shift)) - __int128(std::ldexp(q[k], shift));
+      r[std::size_t(k)] = Wide(std::ldexp(p[k], shift)) - Wide(std::ldexp(q[k], shift));
     return r;
   };
   const auto u = whole(b, a), v = whole(c, a), w = whole(d, a);
-  const __int128 det = w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
-                       w[2] * (u[0] * v[1] - u[1] * v[0]);
+  const Wide det = w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
+                   w[2] * (u[0] * v[1] - u[1] * v[0]);
   return (det > 0) - (det < 0);
 }
 

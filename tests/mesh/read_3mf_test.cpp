@@ -105,7 +105,7 @@ TEST_F(Read3mf, SaysInOneLineWhyAPackageIsRefused) {
   refuses(with(resources(object(1, "model", "2 0 3", "inf")) + build(item)), {"3MF", "Coordinates"});
   refuses(with(resources(object(1)) + build("<item objectid=\"7\"/>")), {"3MF", "Object"});
   refuses(with(resources(object(1)) + build("")), {"no triangles"});
-  refuses(with(resources(object(1)).substr(0, 200)), {"3MF", "XML"});
+  refuses(with(resources(object(1)).substr(0, 200)), {"3MF", "build section"});
   refuses(file("unit.3mf", package(resources(object(1)) + build(item), "unit=\"mile\"")), {"unit"});
   refuses(file("empty.3mf", zip_file({})), {"3MF"});
   refuses(file("text.3mf", "solid none\nendsolid\n"), {"no ZIP"});
