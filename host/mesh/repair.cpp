@@ -7,6 +7,7 @@
 
 #include "mesh/components.hpp"
 #include "mesh/equal_vertices.hpp"
+#include "mesh/flip_flat.hpp"
 #include "mesh/orient.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/separate_edges.hpp"
@@ -113,6 +114,9 @@ void orient(TriangleMesh& mesh, RepairReport& report) {
   if (const std::size_t n = orient_shells(mesh))
     report.lines.push_back("turned " + counted(n, "triangle", "triangles") +
                            " to run the same way round as the rest");
+  if (const std::size_t n = flip_flat_triangles(mesh))
+    report.lines.push_back("flipped " + counted(n, "triangle without area into its neighbour",
+                                                "triangles without area into their neighbours"));
   if (!count_edges(mesh).closed()) return;  // no inside, no outside
   for (const Shell& shell : shells(mesh))
     if (!shell.oriented) return;

@@ -25,6 +25,7 @@ struct RepairReport {
 /// - in each shell, the fewest triangles turn so that all run the same way round; a shell for which there is
 /// no
 ///   such way (a Klein bottle) is left;
+/// - where a triangle without area bridges a T-junction, it and its neighbour become two with area;
 /// - outermost shells face outward, by turning each together with all it encloses.
 /// No coordinate changes and no hole is filled: the result may still be no solid (require_solid(),
 /// solid.hpp).

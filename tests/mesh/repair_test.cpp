@@ -7,6 +7,7 @@
 #include "body/models/geodesic.hpp"
 #include "mesh/check.hpp"
 #include "mesh/components.hpp"
+#include "mesh/self_intersections.hpp"
 #include "mesh/shapes.hpp"
 
 namespace kreisel {
@@ -70,13 +71,37 @@ TEST(Repair, DropsTrianglesWithoutAreaOnlyWhereNoHoleIsLeft) {
   mesh.triangles.push_back({8, 0, 1});
   const TriangleMesh result = repair(mesh, {"dropped 2 triangles without area", "dropped 1 unused vertex"});
   EXPECT_EQ(result.triangles, cube.triangles);
-  // One that closes a gap stays: an edge of the cube split on one side only.
-  TriangleMesh split = cube;
-  split.vertices.push_back({0.5, 0, 0});
-  std::erase(split.triangles, Triangle{0, 1, 5});
-  split.triangles.insert(split.triangles.end(), {{0, 8, 5}, {8, 1, 5}, {0, 1, 8}});
-  EXPECT_EQ(repair(split, {}).triangles.size(), 14u);
-  EXPECT_NO_THROW(require_solid(split, "split"));
+}
+
+/// The cube with a vertex in the middle of an edge that only one of its two triangles there knows; triangles
+/// without area close the gap.
+TriangleMesh split_on_one_side(const std::vector<Vec3>& points, const std::vector<Triangle>& fill) {
+  TriangleMesh mesh = cube;
+  mesh.vertices.insert(mesh.vertices.end(), points.begin(), points.end());
+  std::erase(mesh.triangles, Triangle{0, 1, 5});
+  mesh.triangles.insert(mesh.triangles.end(), fill.begin(), fill.end());
+  return mesh;
+}
+
+TEST(Repair, FlipsATriangleWithoutAreaThatBridgesATJunction) {
+  const TriangleMesh split = split_on_one_side({{0.5, 0, 0}}, {{0, 8, 5}, {8, 1, 5}, {0, 1, 8}});
+  const TriangleMesh result = repair(split, {"flipped 1 triangle without area into its neighbour"});
+  EXPECT_NO_THROW(require_solid(result, "split"));
+  EXPECT_EQ(inspect(result).flat_count, 0u);
+  EXPECT_EQ(result.triangles.size(), 14u);
+  EXPECT_DOUBLE_EQ(inspect(result).volume, 1);
+  EXPECT_TRUE(self_intersections(result).empty());
+  EXPECT_FALSE(self_intersections(split).empty());  // without it the two sides of the junction only touch
+}
+
+TEST(Repair, FlipsTrianglesWithoutAreaOneAfterTheOther) {
+  // Two more vertices on the edge, closed by two flat triangles, one behind the other.
+  const TriangleMesh split =
+      split_on_one_side({{0.25, 0, 0}, {0.5, 0, 0}}, {{0, 8, 5}, {8, 9, 5}, {9, 1, 5}, {0, 9, 8}, {0, 1, 9}});
+  const TriangleMesh result = repair(split, {"flipped 2 triangles without area into their neighbours"});
+  EXPECT_NO_THROW(require_solid(result, "split"));
+  EXPECT_EQ(inspect(result).flat_count, 0u);
+  EXPECT_DOUBLE_EQ(inspect(result).volume, 1);
 }
 
 TEST(Repair, TurnsTheFewestTriangles) {
