@@ -11,6 +11,7 @@
 #include "error.hpp"
 #include "mesh/check.hpp"
 #include "mesh/read.hpp"
+#include "mesh/solid.hpp"
 #include "nearest.hpp"
 
 namespace kreisel {
@@ -20,6 +21,7 @@ namespace {
 struct Source {
   std::string name;
   TriangleMesh mesh;
+  bool ours = false;  ///< made by the project: sound by its tests
   Vec3 axis = Vec3::UnitZ(), up = Vec3::UnitZ();
   std::optional<Vec3> contact;
   std::optional<double> size;  ///< to be scaled to, mm
@@ -41,6 +43,7 @@ Source load(const BodySpec& spec) {
       throw InputError(fmt::format("fineness {} of model '{}'; expected >= 1", spec.fineness, spec.model));
     return {.name = spec.model,
             .mesh = model->make(spec.fineness ? spec.fineness : model->default_fineness),
+            .ours = true,
             .axis = model->axis,
             .up = model->up,
             .contact = model->contact,
@@ -113,10 +116,15 @@ Body make_body(const BodySpec& spec, device::Device& device) {
     throw InputError(fmt::format("size {} mm; expected > 0", *spec.size));
 
   Source source = load(spec);
-  require_solid(source.mesh, spec.model);
-
   Body body;
   body.name = source.name;
+  if (source.ours) {
+    require_solid(source.mesh, spec.model);
+  } else {
+    RepairReport report;
+    source.mesh = make_solid(std::move(source.mesh), spec.model, report);
+    body.repairs = std::move(report.lines);
+  }
   body.density = spec.density;
   body.void_density = spec.void_density;
   const std::optional<double> size = spec.size ? spec.size : source.size;

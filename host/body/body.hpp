@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "body/frame.hpp"
 #include "body/moments.hpp"
@@ -32,10 +33,11 @@ struct Body {
   TriangleMesh mesh;   ///< model coordinates, mm
   TriangleMesh local;  ///< the same in the body frame, body units
   Frame frame;
-  Vec3 axis, contact;         ///< as used, model coordinates
-  double density = 1.0;       ///< g/cm^3
-  double void_density = 0.0;  ///< g/cm^3
-  Moments solid;              ///< of the whole solid, body frame and units; solid[S1] = 1 up to round-off
+  Vec3 axis, contact;                ///< as used, model coordinates
+  double density = 1.0;              ///< g/cm^3
+  double void_density = 0.0;         ///< g/cm^3
+  std::vector<std::string> repairs;  ///< what was mended in the file's mesh, one line each
+  Moments solid;  ///< of the whole solid, body frame and units; solid[S1] = 1 up to round-off
 
   /// Density of the voids' filling in densities of the material.
   [[nodiscard]] double void_share() const { return void_density / density; }
@@ -45,7 +47,8 @@ struct Body {
   }
 };
 
-/// Reads or makes the model, checks it, lays its frame and integrates its moments on the device.
+/// Reads or makes the model, mends a file's mesh where that is safe (repair.hpp), checks it, lays its frame
+/// and integrates its moments on the device.
 ///
 /// @throws InputError  unknown model, unreadable or unfit mesh, zero axis, size or density <= 0, voids as
 /// dense

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "file/write_text.hpp"
 #include "run/result.hpp"
 
 namespace kreisel {
@@ -46,8 +47,5 @@ struct RecordSummary {
 
 /// The summary with the field names of "Machine-readable output" in docs/.
 [[nodiscard]] nlohmann::json to_json(const RunResult& result);
-
-/// Writes text to a temporary name in the same folder and renames it. @throws InputError  not writable
-void write_text(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace kreisel

@@ -1,16 +1,14 @@
 // bench_test.cpp - `bench` as a user runs it: exit codes, messages, files.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "apps/run_bench.hpp"
 #include "body/mesh_moments.hpp"
 #include "mesh/read.hpp"
 
@@ -18,25 +16,6 @@ namespace kreisel {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Answer {
-  int code;
-  std::string out;  ///< standard output and error together
-};
-
-Answer bench(const std::string& arguments) {
-  // PoCL and its LLVM keep memory until the end: not what these tests are about.
-  const std::string command =
-      fmt::format("ASAN_OPTIONS=detect_leaks=0 '{}' {} 2>&1 </dev/null", KREISEL_BENCH, arguments);
-  std::FILE* pipe = popen(command.c_str(), "r");
-  Answer answer{-1, {}};
-  std::array<char, 4096> block;
-  while (const std::size_t n = std::fread(block.data(), 1, block.size(), pipe))
-    answer.out.append(block.data(), n);
-  const int status = pclose(pipe);
-  answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return answer;
-}
 
 class Bench : public ::testing::Test {
  protected:
@@ -54,15 +33,15 @@ class Bench : public ::testing::Test {
 constexpr const char* small = "--formulation rayrep --resolution 24 --fineness 16";
 
 TEST_F(Bench, RunsWithDefaultsAndSaysWhetherThePartSpins) {
-  const Answer a = bench("--formulation rayrep");
+  const BenchAnswer a = bench("--formulation rayrep");
   EXPECT_EQ(a.code, 0) << a.out;
   EXPECT_NE(a.out.find("optimal"), std::string::npos) << a.out;
   EXPECT_NE(a.out.find("verified   spins:"), std::string::npos) << a.out;
 }
 
 TEST_F(Bench, WritesAMeshWhoseMomentsAreTheReportedOnes) {
-  const Answer a = bench(fmt::format("{} --set formulation.bounds=ordered --json {} --mesh {}", small,
-                                     file("r.json"), file("part.stl")));
+  const BenchAnswer a = bench(fmt::format("{} --set formulation.bounds=ordered --json {} --mesh {}", small,
+                                          file("r.json"), file("part.stl")));
   ASSERT_EQ(a.code, 0) << a.out;
   const auto json = nlohmann::json::parse(std::ifstream(file("r.json")));
   EXPECT_EQ(json.at("formulation"), "rayrep");
@@ -80,7 +59,7 @@ TEST_F(Bench, WritesAMeshWhoseMomentsAreTheReportedOnes) {
 TEST_F(Bench, WritesARecordThatH5pyReadsByTheSchema) {
   if (std::system("/usr/bin/python3 -c 'import h5py' 2>/dev/null") != 0)
     GTEST_SKIP() << "h5py is not installed";
-  const Answer a = bench(fmt::format("{} --record {}", small, file("run.h5")));
+  const BenchAnswer a = bench(fmt::format("{} --record {}", small, file("run.h5")));
   ASSERT_NE(a.code, 2) << a.out;
   EXPECT_EQ(std::system(fmt::format("/usr/bin/python3 '{}/tests/record/h5py_test.py' {}", KREISEL_SOURCE,
                                     file("run.h5"))
@@ -89,7 +68,7 @@ TEST_F(Bench, WritesARecordThatH5pyReadsByTheSchema) {
 }
 
 TEST_F(Bench, JsonToStandardOutputIsAlone) {
-  const Answer a = bench(fmt::format("{} --json -", small));
+  const BenchAnswer a = bench(fmt::format("{} --json -", small));
   ASSERT_EQ(a.code, 0);
   EXPECT_TRUE(nlohmann::json::accept(a.out)) << a.out;
 }
@@ -97,8 +76,8 @@ TEST_F(Bench, JsonToStandardOutputIsAlone) {
 TEST_F(Bench, VoxelAndRayRepAgreeWithinOnePercent) {
   double objective[2];
   for (const int i : {0, 1}) {
-    const Answer a = bench(fmt::format("{} --formulation {} --json {}", "--resolution 32",
-                                       i ? "voxel" : "rayrep", file("r.json")));
+    const BenchAnswer a = bench(fmt::format("{} --formulation {} --json {}", "--resolution 32",
+                                            i ? "voxel" : "rayrep", file("r.json")));
     ASSERT_EQ(a.code, 0) << a.out;
     objective[i] = nlohmann::json::parse(std::ifstream(file("r.json"))).at("objective").get<double>();
   }
@@ -115,7 +94,7 @@ void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.argume
 class BenchMistake : public ::testing::TestWithParam<Mistake> {};
 
 TEST_P(BenchMistake, GetsOneLineAndExitCodeTwo) {
-  const Answer a = bench(GetParam().arguments);
+  const BenchAnswer a = bench(GetParam().arguments);
   EXPECT_EQ(a.code, 2) << a.out;
   EXPECT_EQ(std::count(a.out.begin(), a.out.end(), '\n'), 1) << a.out;
   EXPECT_NE(a.out.find(GetParam().says), std::string::npos) << a.out;
@@ -146,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_F(Bench, RefusesAnOpenMeshAndSaysWhere) {
   std::ofstream(file("open.off")) << "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n";
-  const Answer a = bench(fmt::format("--model {}", file("open.off")));
+  const BenchAnswer a = bench(fmt::format("--model {}", file("open.off")));
   EXPECT_EQ(a.code, 2) << a.out;
   EXPECT_NE(a.out.find("open edges: 3"), std::string::npos) << a.out;
 }
@@ -157,7 +136,7 @@ TEST_F(Bench, AnInfeasibleProblemEndsWithThree) {
       << "OFF\n8 12 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n0 0 4\n4 0 4\n4 4 4\n0 4 4\n"
          "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n"
          "3 3 0 4\n3 3 4 7\n";
-  const Answer a = bench(
+  const BenchAnswer a = bench(
       fmt::format("--model {} --contact 0.2,0.2,0 --resolution 12 --formulation voxel", file("box.off")));
   EXPECT_EQ(a.code, 3) << a.out;
   EXPECT_NE(a.out.find("does not spin"), std::string::npos) << a.out;
@@ -169,25 +148,25 @@ TEST_F(Bench, RunsAnExperimentSkipsWhatIsDoneAndShowsIt) {
          "[[run]]\nformulation = [\"rayrep\", \"voxel\"]\n";
   const std::string run = fmt::format("run {} --results {}", file("tiny.toml"), file("runs"));
   EXPECT_NE(bench(run + " --dry-run").out.find("2 to run"), std::string::npos);
-  const Answer first = bench(run);
+  const BenchAnswer first = bench(run);
   EXPECT_EQ(first.code, 0) << first.out;
   EXPECT_NE(first.out.find("2 runs done, 0 finished before"), std::string::npos) << first.out;
-  const Answer second = bench(run);
+  const BenchAnswer second = bench(run);
   EXPECT_NE(second.out.find("0 runs done, 2 finished before"), std::string::npos) << second.out;
-  const Answer shown = bench(fmt::format("show {}", file("runs")));
+  const BenchAnswer shown = bench(fmt::format("show {}", file("runs")));
   EXPECT_EQ(shown.code, 0) << shown.out;
   EXPECT_NE(shown.out.find("verified"), std::string::npos) << shown.out;
 }
 
 TEST_F(Bench, ListNamesEverythingAndWhichPairsWork) {
-  const Answer a = bench("list");
+  const BenchAnswer a = bench("list");
   EXPECT_EQ(a.code, 0);
   for (const char* name : {"ellipsoid", "bird", "spin", "voxel", "rayrep", "ipopt", "rayrep_table2"})
     EXPECT_NE(a.out.find(name), std::string::npos) << name;
 }
 
 TEST_F(Bench, DevicesSaysWhatThereIs) {
-  const Answer a = bench("devices --no-measure");
+  const BenchAnswer a = bench("devices --no-measure");
   EXPECT_EQ(a.code, 0) << a.out;
   EXPECT_NE(a.out.find("fp64"), std::string::npos);
 }

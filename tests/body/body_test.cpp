@@ -104,6 +104,26 @@ TEST_F(BodyOfABox, HollowedOutKeepsTheShellAndTakesTheFillBack) {
   EXPECT_LE((mass.total(Moments::Zero()) - (body.solid - interior)).cwiseAbs().maxCoeff(), 4 * 0x1p-53);
 }
 
+TEST_F(BodyOfABox, MendsTheMeshOfAFileAndSaysSo) {
+  std::ofstream(file_)
+      << "OFF\n5 4 0\n0 0 0\n6 0 0\n0 6 0\n0 0 6\n9 9 9\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n";
+  const Body body = make_body(spec(), test_device());
+  EXPECT_EQ(body.repairs, (std::vector<std::string>{"dropped 1 unused vertex", "turned 1 inside-out shell"}));
+  EXPECT_EQ(body.mesh.vertices.size(), 4u);
+  EXPECT_NEAR(body.solid[S1], 1, tolerance());
+}
+
+TEST_F(BodyOfABox, RefusesAMeshThatRunsThroughItself) {
+  std::ofstream(file_) << "OFF\n8 8 0\n0 0 0\n6 0 0\n0 6 0\n0 0 6\n1 1 -1\n7 1 -1\n1 7 -1\n1 1 5\n"
+                          "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 4 6 5\n3 4 5 7\n3 5 6 7\n3 6 4 7\n";
+  try {
+    (void)make_body(spec(), test_device());
+    FAIL() << "accepted";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("runs through itself"), std::string::npos) << e.what();
+  }
+}
+
 TEST(Body, OfEveryModelHasUnitMass) {
   for (const Model& model : models()) {
     BodySpec spec;

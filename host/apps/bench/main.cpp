@@ -18,7 +18,7 @@ using namespace kreisel::bench;
 
 /// Fields of a run that have an option of their own: name, help.
 constexpr std::pair<const char*, const char*> fields[] = {
-    {"model", "a name of `bench list`, or a mesh file (STL, OBJ, OFF); default ellipsoid"},
+    {"model", "a name of `bench list`, or a mesh file (STL, 3MF, OBJ, PLY, OFF); default ellipsoid"},
     {"problem", "what is asked; default spin"},
     {"formulation", "how the interior is described; default rayrep"},
     {"solver", "default ipopt"},
@@ -55,24 +55,35 @@ struct Parsed {
   bool no_measure = false;
 };
 
+void add_field(CLI::App& app, Parsed& parsed, const std::string& option, const std::string& name,
+               const char* help) {
+  app.add_option_function<std::string>(
+      option, [&parsed, name](const std::string& text) { parsed.given.emplace_back(name, text); }, help);
+}
+
 void add_run_options(CLI::App& app, Parsed& parsed) {
-  const auto add = [&](const char* name, const char* field, const char* help) {
-    app.add_option_function<std::string>(
-        fmt::format("--{}", name),
-        [&parsed, field = std::string(field)](const std::string& text) {
-          parsed.given.emplace_back(field, text);
-        },
-        help);
-  };
-  for (const auto& [name, help] : fields) add(name, name, help);
-  for (const auto& [name, setting, help] : problem_settings) add(name, setting, help);
+  for (const auto& [name, help] : fields) add_field(app, parsed, fmt::format("--{}", name), name, help);
+  for (const auto& [name, setting, help] : problem_settings)
+    add_field(app, parsed, fmt::format("--{}", name), setting, help);
   app.add_option("--set", parsed.settings,
                  "GROUP.NAME=VALUE; groups: ipopt (any of its options), problem, formulation, solver")
       ->allow_extra_args(false)
       ->type_name("GROUP.NAME=VALUE");
   app.add_option("--json", parsed.once.json_file, "write the result as JSON; - for standard output");
-  app.add_option("--mesh", parsed.once.mesh_file, "write the hollowed part as STL, mm");
+  app.add_option("--mesh", parsed.once.mesh_file,
+                 "write the hollowed part, mm; .stl, .3mf, .obj, .ply or .off");
   app.add_option("--record", parsed.once.record_file, "write the whole run as HDF5");
+}
+
+void add_inspect_options(CLI::App& app, Parsed& parsed) {
+  for (const auto& [name, help] : fields) {
+    const std::string_view field = name;
+    if (field == "model") add_field(app, parsed, "model", name, help);
+    for (const char* used : {"axis", "contact", "up", "size", "density", "fineness", "device"})
+      if (field == used) add_field(app, parsed, fmt::format("--{}", name), name, help);
+  }
+  app.get_option("model")->required();
+  app.add_option("--json", parsed.once.json_file, "write it all as JSON; - for standard output");
 }
 
 void apply(Parsed& parsed) {
@@ -119,6 +130,9 @@ int dispatch(int argc, char** argv) {
   experiment->add_option("--device", parsed.experiment.device, "as above, for every run");
   experiment->add_flag("--force", parsed.experiment.force, "run finished runs again");
   experiment->add_flag("--dry-run", parsed.experiment.dry_run, "say what would run");
+  CLI::App* inspected = app.add_subcommand(
+      "inspect", "check a mesh: faults, repairs, shells, mass properties, and what it does as a solid");
+  add_inspect_options(*inspected, parsed);
   CLI::App* shown = app.add_subcommand("show", "print records");
   shown->add_option("records", parsed.paths, "HDF5 files, or folders of them")->required();
   CLI::App* listed =
@@ -134,6 +148,10 @@ int dispatch(int argc, char** argv) {
     throw InputError(explained(app, error));
   }
   if (*experiment) return run_experiment(parsed.experiment);
+  if (*inspected) {
+    apply(parsed);
+    return inspect_model({parsed.once.config, parsed.once.json_file});
+  }
   if (*shown) return show(parsed.paths);
   if (*listed) return list();
   if (*probed) return devices(!parsed.no_measure, parsed.only_device);

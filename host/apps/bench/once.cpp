@@ -24,6 +24,7 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
       "{:.2f},{:.2f},{:.2f}\n",
       size[0], size[1], size[2], r.solid_mass_grams, r.axis[0], r.axis[1], r.axis[2], r.contact[0],
       r.contact[1], r.contact[2]);
+  for (const std::string& line : r.repairs) fmt::print("  repaired   {}\n", line);
   fmt::print("  domain     columns {} x {} x {} of {:.4g} mm, wall {} = {:.4g} mm: {} rays, {} voxels\n",
              r.grid.n[0], r.grid.n[1], r.grid.n[2], r.grid.h * r.length_mm, to_string(r.config.wall),
              r.wall * r.length_mm, r.rays, r.interior_voxels);
