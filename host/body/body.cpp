@@ -3,63 +3,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "body/mesh_moments.hpp"
-#include "body/models.hpp"
-#include "body/models/debian_meshes.hpp"
+#include "body/source.hpp"
 #include "error.hpp"
 #include "mesh/check.hpp"
-#include "mesh/read.hpp"
 #include "mesh/solid.hpp"
-#include "nearest.hpp"
 
 namespace kreisel {
 namespace {
-
-/// A mesh with what its origin says of it.
-struct Source {
-  std::string name;
-  TriangleMesh mesh;
-  bool ours = false;  ///< made by the project: sound by its tests
-  Vec3 axis = Vec3::UnitZ(), up = Vec3::UnitZ();
-  std::optional<Vec3> contact;
-  std::optional<double> size;  ///< to be scaled to, mm
-};
-
-[[noreturn]] void unknown(const std::string& name) {
-  std::vector<std::string_view> names;
-  for (const Model& m : models()) names.push_back(m.name);
-  for (const DebianMesh& m : debian_meshes()) names.push_back(m.name);
-  const std::string meant = nearest(name, names);
-  throw InputError(
-      fmt::format("model '{}' is neither a known name nor a file; {}", name,
-                  meant.empty() ? "`bench list` shows the names" : fmt::format("did you mean '{}'?", meant)));
-}
-
-Source load(const BodySpec& spec) {
-  if (const Model* model = find_model(spec.model)) {
-    if (spec.fineness < 0)
-      throw InputError(fmt::format("fineness {} of model '{}'; expected >= 1", spec.fineness, spec.model));
-    return {.name = spec.model,
-            .mesh = model->make(spec.fineness ? spec.fineness : model->default_fineness),
-            .ours = true,
-            .axis = model->axis,
-            .up = model->up,
-            .contact = model->contact,
-            .size = {}};
-  }
-  if (const DebianMesh* real = find_debian_mesh(spec.model))
-    return {.name = spec.model,
-            .mesh = read_debian_mesh(*real),
-            .axis = real->up,
-            .up = real->up,
-            .contact = {},
-            .size = DebianMesh::size};
-  const std::filesystem::path path(spec.model);
-  if (!path.has_extension() && !std::filesystem::exists(path)) unknown(spec.model);
-  return {.name = path.stem().string(), .mesh = read_mesh(path), .contact = {}, .size = {}};
-}
 
 /// Mean of the vertices that are lowest along the axis: a flat base gives its middle, a tip gives itself.
 Vec3 lowest_point(const TriangleMesh& mesh, const Vec3& axis) {
@@ -115,7 +67,7 @@ Body make_body(const BodySpec& spec, device::Device& device) {
   if (spec.size && (!(*spec.size > 0) || !std::isfinite(*spec.size)))
     throw InputError(fmt::format("size {} mm; expected > 0", *spec.size));
 
-  Source source = load(spec);
+  Source source = load_source(spec);
   Body body;
   body.name = source.name;
   if (source.ours) {

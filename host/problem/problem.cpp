@@ -20,14 +20,14 @@ const std::vector<ProblemEntry>& problems() {
   static const std::vector<ProblemEntry> all = {
       {"spin",
        "spins about its axis: centre of mass on it, principal, and the largest moment [RayRep, eq. 7-10]",
-       make_spin},
+       make_spin, ProblemSettings{}},
       {"stand", "stands: centre of mass over the base and low, or the largest tilt before toppling",
-       make_stand, true},
+       make_stand, ProblemSettings{}, true},
       {"float",
        "floats upright at a given draft: centre of mass over that of buoyancy, and low [RayRep, eq. 3-5]",
-       make_float, true},
+       make_float, ProblemSettings{{"draft", "solid"}}, true},
       {"balance", "centre of mass at a given point or on a given line, with as much material as possible",
-       make_balance, true},
+       make_balance, std::nullopt, true},
   };
   return all;
 }

@@ -8,13 +8,11 @@
 
 #include "apps/bench/commands.hpp"
 #include "body/body.hpp"
-#include "body/models.hpp"
+#include "body/source.hpp"
 #include "error.hpp"
 #include "file/write_text.hpp"
 #include "mesh/check.hpp"
 #include "mesh/components.hpp"
-#include "mesh/format.hpp"
-#include "mesh/read.hpp"
 #include "mesh/repair.hpp"
 #include "mesh/self_intersections.hpp"
 #include "problem/problem.hpp"
@@ -46,15 +44,10 @@ struct Solid {
 };
 
 Surface look_at_surface(const BodySpec& spec) {
+  Source source = load_source(spec);
   Surface s;
-  TriangleMesh mesh;
-  if (const Model* model = find_model(spec.model)) {
-    s.format = "parametric model";
-    mesh = model->make(spec.fineness > 0 ? spec.fineness : model->default_fineness);
-  } else {
-    s.format = mesh_format(spec.model).name;
-    mesh = read_mesh(spec.model);
-  }
+  s.format = source.format;
+  TriangleMesh mesh = std::move(source.mesh);
   s.vertices = mesh.vertices.size();
   s.triangles = mesh.triangles.size();
   s.report = inspect(mesh);
@@ -63,6 +56,27 @@ Surface look_at_surface(const BodySpec& spec) {
   s.enclosing = enclosing_shells(s.mesh, s.shells);
   s.crossings = self_intersections(s.mesh);
   return s;
+}
+
+/// What each problem says of the solid as it is.
+std::vector<std::pair<std::string_view, Verdict>> verdicts(const BodySpec& spec, const Body& body,
+                                                           device::Device& device) {
+  std::vector<std::pair<std::string_view, Verdict>> all;
+  BodySpec upright = spec;
+  upright.stands_upright = true;
+  const Body standing = make_body(upright, device);
+  for (const ProblemEntry& entry : problems()) {
+    if (!entry.for_solid) continue;
+    const Body& posed = entry.upright ? standing : body;
+    Verdict verdict;
+    try {
+      verdict = entry.make(*entry.for_solid, posed)->verify(posed.solid, posed.frame.length);
+    } catch (const InputError& error) {  // no base to stand on; heavier than water
+      verdict.text = error.what();
+    }
+    all.emplace_back(entry.name, verdict);
+  }
+  return all;
 }
 
 Solid look_at_solid(const Body& body) {
@@ -79,8 +93,6 @@ Solid look_at_solid(const Body& body) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
   s.principal = solver.eigenvalues();
   s.axes = solver.eigenvectors();
-  for (const ProblemEntry& entry : problems())
-    s.verdicts.emplace_back(entry.name, entry.make({})->verify(body.solid, length));
   return s;
 }
 
@@ -194,7 +206,8 @@ int inspect_model(const InspectOptions& options) {
   try {
     device::Device device(options.config.device);
     const Body body = make_body(spec, device);
-    const Solid solid = look_at_solid(body);
+    Solid solid = look_at_solid(body);
+    solid.verdicts = verdicts(spec, body, device);
     summary["repairs"] = body.repairs;
     summary["solid"] = to_json(solid);
     if (!only_json) print_solid(solid, body.density);
