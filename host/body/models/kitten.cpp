@@ -45,7 +45,7 @@ double field(const Vec3& p) {
   cat = join(cat, ellipsoid(m, Vec3(33.5, -19, 6), Vec3(9.5, 18, 8.5)), 3);   // hind paws
   cat = tail.joined_to(cat, p, 4);
   cat = join(cat, head(p, m), 8);
-  return meet(cat, -p.z(), 4);
+  return meet(cat, -p.z(), 2);
 }
 
 }  // namespace
