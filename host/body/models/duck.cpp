@@ -18,8 +18,8 @@ double field(const Vec3& p) {
   duck = join(duck, cone(p, Vec3(0, -30, 36), 17, Vec3(0, -41, 57), 5), 18);    // tail
   duck = join(duck, ellipsoid(m, Vec3(38, -5, 35), Vec3(6.5, 33, 15)), 3);      // wings
   const double upper = ellipsoid(p, Vec3(0, 40.5, 72.5), Vec3(17, 15, 4.4));
-  const double lower = ellipsoid(p, Vec3(0, 39, 66.5), Vec3(13, 11, 3.6));
-  duck = join(duck, join(upper, lower, 3), 4);               // beak
+  const double lower = ellipsoid(p, Vec3(0, 38, 67), Vec3(12, 10, 4));
+  duck = join(duck, join(upper, lower, 5), 5);               // beak
   duck = join(duck, ball(m, Vec3(12.5, 36, 84), 4.2), 1.2);  // eyes
   return meet(duck, -p.z(), 5);
 }
