@@ -44,7 +44,7 @@ def shaded(corners):
     right /= np.linalg.norm(right)
     up = np.cross(towards, right)
     lo, hi = corners.min((0, 1)), corners.max((0, 1))
-    scale = 1.05 * PIXELS / np.linalg.norm(hi - lo)
+    scale = 0.97 * PIXELS / np.linalg.norm(hi - lo)
     seen = (corners - (lo + hi) / 2) @ np.stack([right, -up, towards]).T * scale + [PIXELS / 2, PIXELS / 2, 0]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normal /= np.linalg.norm(normal, axis=1, keepdims=True) + 1e-300

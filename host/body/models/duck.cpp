@@ -7,9 +7,10 @@
 namespace kreisel {
 namespace {
 
-// Drawn in cells of the grid of [RayRep, table 1], 89 x 105 x 101: z up, beak towards +y; symmetric in x.
-double field(const Vec3& p) {
+// Drawn in cells of the grid of [RayRep, table 1], 89 x 105 x 101: z up, beak towards -y; symmetric in x.
+double field(const Vec3& from_behind) {
   using namespace blend;
+  const Vec3 p(from_behind.x(), -from_behind.y(), from_behind.z());  // here the beak is at +y
   const Vec3 m = mirrored(p);
   double duck = join(ellipsoid(p, Vec3(12, -1, 28), Vec3(30, 45.5, 33)),
                      ellipsoid(p, Vec3(-12, -1, 28), Vec3(30, 45.5, 33)), 24);  // body
@@ -28,7 +29,7 @@ double field(const Vec3& p) {
 
 TriangleMesh duck_shape(int fineness) {
   static const Drawing drawing{
-      field, {Vec3(-44.5, -52.855, 0), Vec3(44.5, 55.5, 101)}, Vec3(89, 105, 101) * (60.0 / 105), 0.79};
+      field, {Vec3(-44.5, -55.5, 0), Vec3(44.5, 52.855, 101)}, Vec3(89, 105, 101) * (60.0 / 105), 0.79};
   return mesh_of(drawing, fineness);
 }
 

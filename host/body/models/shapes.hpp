@@ -46,7 +46,7 @@ namespace kreisel {
 /// @throws InputError  fineness out of range
 [[nodiscard]] TriangleMesh teapot_shape(int fineness);
 
-/// Bath duck of 50.9 x 60 x 57.7 mm, the grid of [RayRep, table 1]; beak towards +y, a flat spot under the
+/// Bath duck of 50.9 x 60 x 57.7 mm, the grid of [RayRep, table 1]; beak towards -y, a flat spot under the
 /// belly, symmetric in x. The surface is our own.
 /// @param fineness  1 to 300; below 30 as 30
 /// @throws InputError  fineness out of range
