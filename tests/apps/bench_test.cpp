@@ -103,8 +103,9 @@ TEST_P(BenchMistake, GetsOneLineAndExitCodeTwo) {
 INSTANTIATE_TEST_SUITE_P(
     All, BenchMistake,
     ::testing::Values(
-        Mistake{"--model nosuch", "neither a known name (ellipsoid, bird) nor a file"},
-        Mistake{"--model /no/such.stl", "no such file"}, Mistake{"--resolution 3000", "expected 2 to 1024"},
+        Mistake{"--model nosuch", "neither a known name nor a file"},
+        Mistake{"--model dukc", "did you mean 'duck'?"}, Mistake{"--model /no/such.stl", "no such file"},
+        Mistake{"--resolution 3000", "expected 2 to 1024"},
         Mistake{"--resolution abc", "cells along the longest side"},
         Mistake{"--wall 0.5h", "expected at least 0.87"}, Mistake{"--wall 50%", "leaves no interior"},
         Mistake{"--wall x", "expected a positive number"},

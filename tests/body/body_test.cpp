@@ -1,5 +1,6 @@
 #include "body/body.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -8,6 +9,7 @@
 
 #include "body/mesh_moments.hpp"
 #include "body/models.hpp"
+#include "body/models/debian_meshes.hpp"
 #include "body/test_meshes.hpp"
 #include "device/scoped_environment.hpp"
 #include "error.hpp"
@@ -135,7 +137,7 @@ TEST(Body, OfEveryModelHasUnitMass) {
     EXPECT_NEAR(body.solid[S1], 1, 8 * mesh_moments_bound(body.local, test_device())) << model.name;
     EXPECT_GT(centre_of_mass(body.solid)[2], 0) << model.name << " lies above its contact point";
     EXPECT_GE(bounding_box(body.local).lo[2], -1e-12) << "the contact point is the lowest";
-    EXPECT_EQ(body.local.triangles.size(), 20u * 6 * 6);
+    EXPECT_EQ(body.local.triangles.size(), model.make(6).triangles.size()) << "as fine as was asked";
   }
 }
 
@@ -199,12 +201,26 @@ TEST(Body, RefusesAContactThatIsNotFinite) {
   refuses(spec, {"--contact", "expected three numbers"});
 }
 
-TEST(Body, RefusesAnUnknownModelAndNamesThoseThereAre) {
+TEST(Body, RefusesAnUnknownModelAndNamesTheNearest) {
   BodySpec spec;
-  spec.model = "elipsoid";
-  std::vector<std::string> parts = {"'elipsoid'"};
-  for (const Model& model : models()) parts.emplace_back(model.name);
-  refuses(spec, parts);
+  for (const auto& [wrong, right] : {std::pair{"elipsoid", "'ellipsoid'"}, {"armadilo", "'armadillo'"}}) {
+    spec.model = wrong;
+    refuses(spec, {fmt::format("'{}'", wrong), fmt::format("did you mean {}?", right)});
+  }
+  spec.model = "qwertyuiop";
+  refuses(spec, {"'qwertyuiop'", "`bench list`"});
+}
+
+TEST(Body, OfARealMeshStandsUprightAtItsSize) {
+  if (!debian_meshes_installed()) GTEST_SKIP() << "libcgal-demo is not installed";
+  BodySpec spec;
+  spec.model = "elephant";
+  const Body body = make_body(spec, test_device());
+  EXPECT_EQ(body.name, "elephant");
+  EXPECT_NEAR(bounding_box(body.mesh).extent().maxCoeff(), 60, 60 * 0x1p-51);
+  EXPECT_EQ(body.axis, Vec3::UnitY());
+  spec.up = Vec3::UnitX();
+  EXPECT_EQ(make_body(spec, test_device()).axis, Vec3::UnitX()) << "--up leads the axis along";
 }
 
 TEST(Body, RefusesAFileThatDoesNotExist) {

@@ -82,7 +82,7 @@ const std::vector<DebianMesh>& debian_meshes() {
       {"retinal", "retinal.off", "surface of a molecule of retinal", z},
       {"blobby", "blobby.off", "smooth blob", z},
       {"handle", "handle.off", "rounded grip", z},
-      {"oblong", "oblong.off", "block with two bores", z},
+      {"oblong", "oblong.off", "machined block", z},
   };
   return all;
 }

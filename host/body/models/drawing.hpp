@@ -13,7 +13,7 @@ struct Drawing {
 };
 
 /// Fineness below this is meshed as this: a lattice coarser still would lose ears and handles.
-inline constexpr int coarsest_drawing = 12;
+inline constexpr int coarsest_drawing = 30;
 
 /// The drawing's surface in millimetres.
 /// @param fineness  1 to 300; about 20 fineness^2 triangles from coarsest_drawing on

@@ -25,7 +25,7 @@ class Lattice {
         for (int i = k % 2; i < n_.x(); i += 2) {
           const Index3 at(i, j, k);
           values_[id(at)] = field(point(at));
-          const bool rim = (at.array() == 0).any() || (at.array() == n_.array() - 1).any();
+          const bool rim = (at.array() <= 1).any() || (at.array() >= n_.array() - 2).any();
           if (rim && values_[id(at)] < 0)
             throw std::logic_error("mesh_of: the solid does not fit into its box");
         }

@@ -41,11 +41,11 @@ double field(const Vec3& p) {
   cat = join(cat, cone(p, Vec3(0, -16, 62), 19, Vec3(0, -17, 10), 15), 6);    // belly
   cat = join(cat, ellipsoid(m, Vec3(24, 6, 25), Vec3(15, 27, 25)), 6);        // thighs
   cat = join(cat, cone(m, Vec3(13, -22, 62), 12, Vec3(13, -29, 8), 8.5), 5);  // front legs
-  cat = join(cat, ellipsoid(m, Vec3(12, -34, 6), Vec3(9.5, 13, 8)), 3);       // front paws
-  cat = join(cat, ellipsoid(m, Vec3(33.5, -19, 6), Vec3(9.5, 18, 8.5)), 3);   // hind paws
+  cat = join(cat, ellipsoid(m, Vec3(11, -34, 6), Vec3(8.5, 13, 8)), 3);       // front paws
+  cat = join(cat, ellipsoid(m, Vec3(35.5, -18, 6), Vec3(7.5, 18, 8.5)), 3);   // hind paws
   cat = tail.joined_to(cat, p, 4);
   cat = join(cat, head(p, m), 8);
-  return meet(cat, -p.z(), 4);
+  return meet(cat, -p.z(), 2);
 }
 
 }  // namespace

@@ -36,25 +36,25 @@ namespace kreisel {
 [[nodiscard]] TriangleMesh woven_ring_shape(int fineness);
 
 /// Heart of 60 x 29.5 x 55.2 mm, its tip below in the middle; symmetric in x and y.
-/// @param fineness  1 to 300; below 12 as 12
+/// @param fineness  1 to 300; below 30 as 30
 /// @throws InputError  fineness out of range
 [[nodiscard]] TriangleMesh heart_shape(int fineness);
 
 /// Teapot of 60 x 36.2 x 34.5 mm, all solid, on a flat foot; spout towards +x, handle (genus 1) towards -x,
 /// symmetric in y.
-/// @param fineness  1 to 300; below 12 as 12
+/// @param fineness  1 to 300; below 30 as 30
 /// @throws InputError  fineness out of range
 [[nodiscard]] TriangleMesh teapot_shape(int fineness);
 
-/// Bath duck of 50.9 x 60 x 57.7 mm, the grid of [RayRep, table 1]; beak towards +y, a flat spot under the
+/// Bath duck of 50.9 x 60 x 57.7 mm, the grid of [RayRep, table 1]; beak towards -y, a flat spot under the
 /// belly, symmetric in x. The surface is our own.
-/// @param fineness  1 to 300; below 12 as 12
+/// @param fineness  1 to 300; below 30 as 30
 /// @throws InputError  fineness out of range
 [[nodiscard]] TriangleMesh duck_shape(int fineness);
 
 /// Kitten of 39.4 x 35.8 x 60 mm, the grid of [RayRep, table 1], that sits on a flat base and looks towards
 /// -y; its tail runs round its left side back into the body (genus 1). The surface is our own.
-/// @param fineness  1 to 300; below 12 as 12
+/// @param fineness  1 to 300; below 30 as 30
 /// @throws InputError  fineness out of range
 [[nodiscard]] TriangleMesh kitten_shape(int fineness);
 
