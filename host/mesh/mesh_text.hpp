@@ -31,6 +31,15 @@ inline std::string_view next_word(std::string_view& line) {
   return word;
 }
 
+/// A word of a file for a message: no control characters (the file may be anything), and not too long.
+inline std::string shown(std::string_view word) {
+  constexpr std::size_t most = 40;
+  std::string text(word.substr(0, most));
+  for (char& c : text)
+    if (c < ' ' || c > '~') c = '?';
+  return word.size() > most ? text + "..." : text;
+}
+
 /// `word` as a number, or nothing if any part of it is not one. Never looks at the locale.
 template <class Number>
 std::optional<Number> parse(std::string_view word) {
@@ -71,7 +80,8 @@ class MeshLines {
       const std::string_view word = next_word(line);
       const auto value = parse<double>(word);
       if (!value || !std::isfinite(*value))
-        throw error(fmt::format("coordinate '{}' of vertex {}, expected three finite numbers", word, index));
+        throw error(
+            fmt::format("coordinate '{}' of vertex {}, expected three finite numbers", shown(word), index));
       x = *value;
     }
     return p;

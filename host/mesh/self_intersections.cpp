@@ -82,8 +82,7 @@ std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh&
   const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, unsigned(search.triangles.size()));
   rtcSetGeometryUserData(geometry, &search);
-  rtcSetGeometryBoundsFunction(
-      geometry, [](const RTCBoundsFunctionArguments* a) { set_bounds(a); }, nullptr);
+  rtcSetGeometryBoundsFunction(geometry, set_bounds, nullptr);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
