@@ -49,7 +49,8 @@ Type type_of(std::string_view word, const HeaderLines& lines) {
                                                                             {"float64", Type::float64}}};
   for (const auto& [name, type] : names)
     if (name == word) return type;
-  throw lines.error(fmt::format("type '{}', expected a number type of PLY such as float or uchar", word));
+  throw lines.error(
+      fmt::format("type '{}', expected a number type of PLY such as float or uchar", shown(word)));
 }
 
 Encoding encoding_of(std::string_view word, const HeaderLines& lines) {
@@ -57,7 +58,7 @@ Encoding encoding_of(std::string_view word, const HeaderLines& lines) {
   if (word == "binary_little_endian") return Encoding::little_endian;
   if (word == "binary_big_endian") return Encoding::big_endian;
   throw lines.error(
-      fmt::format("format '{}', expected ascii, binary_little_endian or binary_big_endian", word));
+      fmt::format("format '{}', expected ascii, binary_little_endian or binary_big_endian", shown(word)));
 }
 
 Property property_of(std::string_view line, const HeaderLines& lines) {
@@ -70,7 +71,7 @@ Property property_of(std::string_view line, const HeaderLines& lines) {
     type = next_word(line);
   }
   property.type = type_of(type, lines);
-  property.name = std::string(next_word(line));
+  property.name = shown(next_word(line));
   if (property.name.empty()) throw lines.error("property without a name, expected 'property TYPE NAME'");
   return property;
 }
@@ -95,13 +96,14 @@ Header read_header(const MeshFile& file) {
       const std::string_view name = next_word(line), number = next_word(line);
       const auto count = parse<std::uint64_t>(number);
       if (!count)
-        throw lines.error(fmt::format("element '{}' of count '{}', expected a number", name, number));
-      header.elements.push_back({std::string(name), *count, {}});
+        throw lines.error(
+            fmt::format("element '{}' of count '{}', expected a number", shown(name), shown(number)));
+      header.elements.push_back({shown(name), *count, {}});
     } else if (word == "property") {
       if (header.elements.empty()) throw lines.error("property before any element, expected 'element' first");
       header.elements.back().properties.push_back(property_of(line, lines));
     } else if (!word.empty() && word != "comment" && word != "obj_info") {
-      throw lines.error(fmt::format("'{}', expected a word of a PLY header", word));
+      throw lines.error(fmt::format("'{}', expected a word of a PLY header", shown(word)));
     }
   }
   for (const Element& element : header.elements)  // nothing would tell where such elements end

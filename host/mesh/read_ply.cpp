@@ -52,8 +52,8 @@ class Numbers {
   void require_end() {
     if (encoding_ == Encoding::ascii) {
       if (const std::string_view word = text_word(); !word.empty())
-        throw InputError(fmt::format("{}: '{:.20}' behind the last element, expected the end of the file",
-                                     file_.name, word));
+        throw InputError(fmt::format("{}: '{}' behind the last element, expected the end of the file",
+                                     file_.name, shown(word)));
     } else if (rest_.find_first_not_of(" \t\r\n") != std::string_view::npos) {
       throw InputError(fmt::format("{}: {} bytes behind the last element, expected the end of the file",
                                    file_.name, rest_.size()));
@@ -80,7 +80,7 @@ class Numbers {
     const std::string_view word = text_word();
     if (word.empty()) throw cut_off();
     const auto value = parse<double>(word);
-    if (!value) throw error(fmt::format("'{:.20}', expected a number", word));
+    if (!value) throw error(fmt::format("'{}', expected a number", shown(word)));
     return *value;
   }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 #include "mesh/equal_vertices.hpp"
 #include "mesh/predicates.hpp"
@@ -27,6 +28,7 @@ struct Search {
   double scale;  ///< the size: rounded, but monotonically, so what overlaps goes on overlapping
   std::vector<NumberedTriangle> triangles;  ///< those with area
   std::vector<std::uint32_t> index;         ///< of each in the mesh
+  std::mutex mutex;                         ///< for pairs: judge() may be called by several threads at once
   std::vector<std::array<std::uint32_t, 2>> pairs;
 };
 
@@ -47,13 +49,13 @@ void judge(void* user, RTCCollision* candidates, unsigned count) {
   for (const RTCCollision* c = candidates; c != candidates + count; ++c) {
     if (c->primID0 == c->primID1) continue;
     const auto [low, high] = std::minmax(c->primID0, c->primID1);
-    if (intersect_improperly(search.triangles[low], search.triangles[high]))
-      search.pairs.push_back({search.index[low], search.index[high]});
+    if (!intersect_improperly(search.triangles[low], search.triangles[high])) continue;
+    const std::lock_guard lock(search.mutex);
+    search.pairs.push_back({search.index[low], search.index[high]});
   }
 }
 
-Search numbered(const TriangleMesh& mesh) {
-  Search search;
+void number(const TriangleMesh& mesh, Search& search) {
   const Box box = bounding_box(mesh);
   search.centre = 0.5 * (box.lo + box.hi);
   const double size = box.extent().maxCoeff();
@@ -66,21 +68,21 @@ Search numbered(const TriangleMesh& mesh) {
     search.triangles.push_back({{first[a], first[b], first[c]}, {p, q, r}});
     search.index.push_back(std::uint32_t(i));
   }
-  return search;
 }
 
 }  // namespace
 
 std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) return {};
-  Search search = numbered(mesh);
-  const RTCDevice device = rtcNewDevice("threads=1");  // one thread: judge() appends
+  Search search;
+  number(mesh, search);
+  if (search.triangles.empty()) return {};
+  const RTCDevice device = rtcNewDevice("threads=1");
   const RTCScene scene = rtcNewScene(device);
   const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, unsigned(search.triangles.size()));
   rtcSetGeometryUserData(geometry, &search);
-  rtcSetGeometryBoundsFunction(
-      geometry, [](const RTCBoundsFunctionArguments* a) { set_bounds(a); }, nullptr);
+  rtcSetGeometryBoundsFunction(geometry, set_bounds, nullptr);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
@@ -91,7 +93,7 @@ std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh&
 
   std::sort(search.pairs.begin(), search.pairs.end());
   search.pairs.erase(std::unique(search.pairs.begin(), search.pairs.end()), search.pairs.end());
-  return std::move(search.pairs);
+  return search.pairs;
 }
 
 }  // namespace kreisel

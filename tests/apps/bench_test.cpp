@@ -121,6 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"--size -3", "expected > 0"}, Mistake{"--device nosuch", "not found"},
         Mistake{"--nosuch", "not expected"}, Mistake{"--repeat 0", "expected a whole number >= 1"},
         Mistake{"--mesh /no/such/folder/a.stl", "expected an existing folder"},
+        Mistake{"--mesh part.step", "expected .stl, .3mf, .obj, .ply or .off"},
         Mistake{"--json /no/such/folder/a.json", "expected an existing folder"},
         Mistake{"run nosuch", "nosuch"}, Mistake{"show /no/such.h5", "no such file"}));
 

@@ -137,6 +137,12 @@ TEST_F(ReadMesh, NamesExpectedAndFoundLengthOfCutOffBinaryStl) {
   refuses(file("d.stl", whole + "x"), {"185", "184"});
 }
 
+TEST_F(ReadMesh, ShowsJunkInAMessageAsShortPrintableText) {
+  const std::string junk = std::string("\x01\0\xff", 3) + std::string(100, 'x');
+  refuses(file("a.off", "OFF\n3 1 0\n0 " + junk + " 0\n"), {"'???xxx", "...'", "vertex 1"});
+  refuses(file("a.ply", "ply\nformat " + junk + " 1.0\nend_header\n"), {"'???xxx", "...'", "ascii"});
+}
+
 TEST_F(ReadMesh, RefusesTextThatClaimsToBeStl) {
   refuses(file("a.stl", "solid words\nThis is a letter, not a mesh.\n"), {"line 2", "'This'", "text STL"});
   refuses(file("b.stl", "A letter, not a mesh.\n"), {"binary STL of 22 bytes", "84"});

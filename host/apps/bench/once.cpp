@@ -6,6 +6,7 @@
 
 #include "apps/bench/commands.hpp"
 #include "error.hpp"
+#include "mesh/format.hpp"
 #include "record/record.hpp"
 #include "run/pipeline.hpp"
 
@@ -80,6 +81,7 @@ void require_folder(const std::string& file, const char* option) {
 int run_once(const OnceOptions& options) {
   require_folder(options.json_file, "--json");
   require_folder(options.mesh_file, "--mesh");
+  if (!options.mesh_file.empty()) (void)mesh_format(options.mesh_file);
   require_folder(options.record_file, "--record");
   const bool terminal = isatty(STDERR_FILENO) != 0;
   const auto progress = [terminal](const std::string& step) {
