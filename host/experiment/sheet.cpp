@@ -7,7 +7,10 @@ namespace kreisel {
 
 Cell Cell::of(const std::optional<double>& value, fmt::format_string<const double&> format) {
   if (!value || std::isnan(*value)) return none();
-  return {fmt::format(format, *value), fmt::format("{}", *value)};
+  std::string text = fmt::format(format, *value);
+  // A value that rounds to nothing has no sign.
+  if (text.starts_with('-') && text.find_first_of("123456789") == std::string::npos) text.erase(0, 1);
+  return {text, fmt::format("{}", *value)};
 }
 
 void Sheet::add(std::vector<Cell> row) {

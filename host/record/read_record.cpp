@@ -53,6 +53,8 @@ void read_domain(const Group& group, RecordSummary& summary, const std::string& 
 
 void read_solve(const Group& group, RecordSummary& summary, const std::string& name) {
   summary.message = group.text("message");
+  summary.repeat = static_cast<int>(group.integer("repeat"));
+  summary.budget_seconds = group.real("budget");
   summary.samples = seconds_of(group, "samples", name);
   const auto median = seconds_of(group, "median", name);
   if (median.size() != 1)

@@ -42,6 +42,8 @@ struct RecordSummary {
   Moments solid = Moments::Zero(), optimum = Moments::Zero(), written = Moments::Zero();
   Seconds median;
   std::vector<Seconds> samples;
+  int repeat = 1;             ///< timed solves asked for
+  double budget_seconds = 0;  ///< after which none was begun
   std::string commit, device, started;
 };
 

@@ -27,6 +27,13 @@ struct ExperimentOptions {
 };
 int run_experiment(const ExperimentOptions& options);
 
+struct ReportOptions {
+  std::vector<std::string> experiments;  ///< as ExperimentOptions::name; empty: all that have records
+  std::string results = "results/runs", output = "report.html";
+};
+/// Tables and figures of experiments that have been run, as one HTML page.
+int report(const ReportOptions& options);
+
 /// Prints records, or the table of an experiment whose runs they are.
 int show(const std::vector<std::string>& paths);
 

@@ -37,6 +37,7 @@ constexpr std::pair<const char*, const char*> fields[] = {
 struct Parsed {
   OnceOptions once;
   ExperimentOptions experiment;
+  ReportOptions report;
   std::vector<std::pair<std::string, std::string>> given;  ///< field, text
   std::vector<std::string> settings, paths;
   std::string only_device;
@@ -89,6 +90,11 @@ int dispatch(int argc, char** argv) {
   experiment->add_option("--device", parsed.experiment.device, "as above, for every run");
   experiment->add_flag("--force", parsed.experiment.force, "run finished runs again");
   experiment->add_flag("--dry-run", parsed.experiment.dry_run, "say what would run");
+  CLI::App* reported =
+      app.add_subcommand("report", "tables and figures of experiments that have been run, as one HTML page");
+  reported->add_option("experiments", parsed.report.experiments, "default: all that have records");
+  reported->add_option("--results", parsed.report.results, "folder of the records")->capture_default_str();
+  reported->add_option("-o,--output", parsed.report.output, "the page")->capture_default_str();
   CLI::App* shown = app.add_subcommand("show", "print records");
   shown->add_option("records", parsed.paths, "HDF5 files, or folders of them")->required();
   CLI::App* listed =
@@ -104,6 +110,7 @@ int dispatch(int argc, char** argv) {
     throw InputError(fmt::format("{} (bench --help lists the options)", error.what()));
   }
   if (*experiment) return run_experiment(parsed.experiment);
+  if (*reported) return report(parsed.report);
   if (*shown) return show(parsed.paths);
   if (*listed) return list();
   if (*probed) return devices(!parsed.no_measure, parsed.only_device);
