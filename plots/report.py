@@ -37,7 +37,7 @@ nav ul { padding-left: 1.2rem; } a { color: #0072b2; }
 .missing { color: #a04000; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .82rem; font-variant-numeric: tabular-nums; }
-th, td { padding: .18rem .6rem; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--line); }
+th, td { padding: .18rem .5rem; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; background: var(--shade); } th.group { text-align: center; }
 th.left, td.left { text-align: left; } .first { border-left: 1px solid #cbd0d7; }
 img { max-width: 100%; height: auto; display: block; margin: 1rem 0; }

@@ -61,7 +61,7 @@ class Report : public ::testing::Test {
     std::ofstream(file("tiny.toml")) << "# tiny.toml - does <it> work?\n#\n# A second paragraph.\n\n"
                                         "title = \"A tiny & simple experiment\"\ntable = \"settings\"\n"
                                         "figures = [\"settings\", \"history\"]\n"
-                                        "model = \"ellipsoid\"\nresolution = \"16x12x12\"\nfineness = 8\n"
+                                        "model = \"ellipsoid\"\nresolution = 24\nfineness = 16\n"
                                         "[[run]]\nset.solver.start = [\"lower\", \"upper\"]\n"
                                         "[[run]]\nset.solver.start = \"nowhere\"\n";
     std::ofstream(file("other.toml")) << "[[run]]\nmodel = \"bird\"\n";

@@ -47,9 +47,9 @@ TEST(PublishedTable, LeavesThePaperEmptyWhereItHasNoSuchRow) {
   other_way.run.config.formulation = "voxel";  // the row has ray-reps alone
   const Tables tables = published_tables({other_problem, other_way}, printed());
   const std::string text = to_text(tables);
-  EXPECT_EQ(squeezed_line(text, "ellipsoid 40x26x26  float"),
+  EXPECT_EQ(squeezed_line(text, "ellipsoid  40x26x26  float"),
             "ellipsoid 40x26x26 float | 1300 0.500 20 0.8 1.0e-10 yes | - - | - -");
-  EXPECT_EQ(squeezed_line(text, "ellipsoid 40x26x26  spin"),
+  EXPECT_EQ(squeezed_line(text, "ellipsoid  40x26x26  spin"),
             "ellipsoid 40x26x26 spin | 1300 0.500 20 0.8 1.0e-10 yes | - - | - -");
   EXPECT_NE(to_csv(tables).find("0.5,0,1,20,0.8,1e-10,yes,,,,\n"), std::string::npos) << to_csv(tables);
 }
@@ -68,7 +68,6 @@ TEST(PublishedTable, HasABlockALabelAndGivesNoSpeedForWhatDidNotConverge) {
   EXPECT_EQ(tables.blocks[0].notes, "! ellipsoid 40x26x26 rayrep ipopt: failed - too slow\n");
   EXPECT_EQ(squeezed_line(tables.blocks[0].sheet.text(), "ellipsoid"),
             "ellipsoid 40x26x26 spin | 1300 0.500 ! 20 0.8 1.0e-10 yes | 1000 2 | +30.0 -");
-  EXPECT_NE(to_text(tables).find("| 1000 2 |"), 0u);
 }
 
 }  // namespace
