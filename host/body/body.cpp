@@ -51,6 +51,24 @@ Vec3 lowest_point(const TriangleMesh& mesh, const Vec3& axis) {
   return sum / count;
 }
 
+/// A contact point far beside the body is a typing error: nothing there can be spun or stood on.
+void require_near_axis(const Body& body) {
+  const Eigen::Matrix3d turn = axis_to_z(body.axis);
+  TriangleMesh turned = body.mesh;
+  for (Vec3& v : turned.vertices) v = turn * v;
+  const Box box = bounding_box(turned);
+  const Vec3 at = turn * body.contact;
+  for (int a = 0; a < 2; ++a)
+    if (at[a] < box.lo[a] || at[a] > box.hi[a])
+      throw InputError(
+          fmt::format("contact {},{},{} lies off the axis: a line along {},{},{} through it misses the body, "
+                      "{:.4g} x {:.4g} x "
+                      "{:.4g} mm; expected a point of the axis, model coordinates in mm",
+                      body.contact[0], body.contact[1], body.contact[2], body.axis[0], body.axis[1],
+                      body.axis[2], bounding_box(body.mesh).extent()[0], bounding_box(body.mesh).extent()[1],
+                      bounding_box(body.mesh).extent()[2]));
+}
+
 Vec3 direction(const Vec3& v, const char* option) {
   if (!v.allFinite() || v.norm() == 0)
     throw InputError(
@@ -63,6 +81,10 @@ Vec3 direction(const Vec3& v, const char* option) {
 Body make_body(const BodySpec& spec, device::Device& device) {
   if (!(spec.density > 0) || !std::isfinite(spec.density))
     throw InputError(fmt::format("density {} g/cm^3; expected > 0", spec.density));
+  if (!(spec.void_density >= 0 && spec.void_density < spec.density))
+    throw InputError(
+        fmt::format("void density {} g/cm^3 in a material of {}; expected 0 or more, and less than it",
+                    spec.void_density, spec.density));
   if (spec.size && (!(*spec.size > 0) || !std::isfinite(*spec.size)))
     throw InputError(fmt::format("size {} mm; expected > 0", *spec.size));
 
@@ -73,6 +95,7 @@ Body make_body(const BodySpec& spec, device::Device& device) {
   body.name =
       source.model ? std::string(source.model->name) : std::filesystem::path(spec.model).stem().string();
   body.density = spec.density;
+  body.void_density = spec.void_density;
   const double scale = spec.size ? *spec.size / bounding_box(source.mesh).extent().maxCoeff() : 1.0;
   for (Vec3& v : source.mesh.vertices) v *= scale;
   body.mesh = std::move(source.mesh);
@@ -87,6 +110,8 @@ Body make_body(const BodySpec& spec, device::Device& device) {
                                                          : lowest_point(body.mesh, body.axis);
   if (!body.contact.allFinite()) throw InputError("--contact is not finite; expected three numbers, mm");
 
+  if (spec.contact) require_near_axis(body);
+
   const Moments about_origin = mesh_moments(body.mesh, device);
   body.frame = {axis_to_z(body.axis), body.contact, std::cbrt(about_origin[S1])};
   body.local = to_body(body.frame, body.mesh);
@@ -94,6 +119,9 @@ Body make_body(const BodySpec& spec, device::Device& device) {
   return body;
 }
 
-MassModel hollowed(const Body& body, const Moments& interior) { return {body.solid - interior, 1.0}; }
+MassModel hollowed(const Body& body, const Moments& interior) {
+  const double contrast = 1 - body.void_share();
+  return {body.solid - contrast * interior, contrast};
+}
 
 }  // namespace kreisel

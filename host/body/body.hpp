@@ -19,6 +19,7 @@ struct BodySpec {
   std::optional<Vec3> contact;  ///< a point of the axis; default the model's, else the lowest point along it
   std::optional<double> size;   ///< longest side of the bounding box, mm; default as the model is
   double density = 1.0;         ///< g/cm^3, > 0
+  double void_density = 0.0;    ///< of what fills the voids, g/cm^3; >= 0, below `density`
   int fineness = 0;             ///< of a parametric model; 0: the model's own default
 };
 
@@ -28,9 +29,13 @@ struct Body {
   TriangleMesh mesh;   ///< model coordinates, mm
   TriangleMesh local;  ///< the same in the body frame, body units
   Frame frame;
-  Vec3 axis, contact;    ///< as used, model coordinates
-  double density = 1.0;  ///< g/cm^3
-  Moments solid;         ///< of the whole solid, body frame and units; solid[S1] = 1 up to round-off
+  Vec3 axis, contact;         ///< as used, model coordinates
+  double density = 1.0;       ///< g/cm^3
+  double void_density = 0.0;  ///< g/cm^3
+  Moments solid;              ///< of the whole solid, body frame and units; solid[S1] = 1 up to round-off
+
+  /// Density of the voids' filling in densities of the material.
+  [[nodiscard]] double void_share() const { return void_density / density; }
 
   [[nodiscard]] double mass_grams() const {
     return density * frame.length * frame.length * frame.length * 1e-3;
@@ -39,7 +44,9 @@ struct Body {
 
 /// Reads or makes the model, checks it, lays its frame and integrates its moments on the device.
 ///
-/// @throws InputError  unknown model, unreadable or unfit mesh, zero axis, size or density <= 0
+/// @throws InputError  unknown model, unreadable or unfit mesh, zero axis, size or density <= 0, voids as
+/// dense
+///                     as the material, a contact point whose axis misses the body
 [[nodiscard]] Body make_body(const BodySpec& spec, device::Device& device);
 
 /// Total moments from the designed part alone: s = fixed + contrast * s_domain, in body units.

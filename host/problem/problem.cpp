@@ -1,15 +1,12 @@
 #include "problem/problem.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 
-#include "error.hpp"
 #include "problem/balance.hpp"
 #include "problem/float.hpp"
 #include "problem/spin.hpp"
 #include "problem/stand.hpp"
+#include "unknown_name.hpp"
 
 namespace kreisel {
 
@@ -36,12 +33,9 @@ const std::vector<ProblemEntry>& problems() {
 }
 
 const ProblemEntry& find_problem(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const ProblemEntry& entry : problems()) {
+  for (const ProblemEntry& entry : problems())
     if (entry.name == name) return entry;
-    names.push_back(entry.name);
-  }
-  throw InputError(fmt::format("problem '{}' is unknown; expected one of: {}", name, fmt::join(names, ", ")));
+  throw unknown_name("problem", name, names_of(problems()));
 }
 
 std::unique_ptr<Problem> make_problem(std::string_view name, const ProblemSettings& settings,

@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "parse.hpp"
 #include "solve/ipopt.hpp"
+#include "unknown_name.hpp"
 
 namespace kreisel {
 
@@ -67,17 +68,12 @@ const std::vector<SolverEntry>& solvers() {
 }
 
 const SolverEntry& find_solver(std::string_view name, std::string_view formulation) {
-  std::vector<std::string_view> names;
-  for (const SolverEntry& entry : solvers()) {
-    if (entry.name == name) {
-      if (std::ranges::find(entry.formulations, formulation) == entry.formulations.end())
-        throw InputError(fmt::format("solver '{}' does not work with formulation '{}'; it works with: {}",
-                                     name, formulation, fmt::join(entry.formulations, ", ")));
-      return entry;
-    }
-    names.push_back(entry.name);
-  }
-  throw InputError(fmt::format("solver '{}' is unknown; expected one of: {}", name, fmt::join(names, ", ")));
+  const auto entry = std::ranges::find(solvers(), name, &SolverEntry::name);
+  if (entry == solvers().end()) throw unknown_name("solver", name, names_of(solvers()));
+  if (std::ranges::find(entry->formulations, formulation) == entry->formulations.end())
+    throw InputError(fmt::format("solver '{}' does not work with formulation '{}'; it works with: {}", name,
+                                 formulation, fmt::join(entry->formulations, ", ")));
+  return *entry;
 }
 
 Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& options) {

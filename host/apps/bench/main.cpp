@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <tuple>
 
 #include "apps/bench/commands.hpp"
 #include "device/device.hpp"
 #include "error.hpp"
+#include "nearest.hpp"
 #include "run/build_info.hpp"
 #include "solve/interrupt.hpp"
 
@@ -27,11 +29,21 @@ constexpr std::pair<const char*, const char*> fields[] = {
     {"up", "up direction x,y,z; default the model's, else 0,0,1"},
     {"size", "longest side in mm; default as the model is"},
     {"density", "g/cm^3; default 1"},
+    {"void-density", "of what fills the voids, g/cm^3; default 0"},
     {"fineness", "of a parametric model: about 20 n^2 triangles"},
     {"device", "index or part of a name; default KREISEL_DEVICE, else a GPU, else PoCL"},
     {"precision", "automatic or single (compensated)"},
     {"repeat", "timed solves at most; default 1"},
     {"budget", "seconds after which no further repetition starts; default 20"},
+};
+
+/// Settings of problems with an option of their own: option, setting, help.
+constexpr std::tuple<const char*, const char*, const char*> problem_settings[] = {
+    {"target", "problem.target", "stand: centre, inside or max-tilt; default centre"},
+    {"draft", "problem.draft", "float: 60% of the height, mm, grams (40g) or solid; default 60%"},
+    {"fluid-density", "problem.fluid_density", "float: g/cm^3; default 1"},
+    {"point", "problem.point", "balance: where the centre of mass is to be, x,y,z in mm"},
+    {"line", "problem.line", "balance: direction of a line through that point"},
 };
 
 struct Parsed {
@@ -45,13 +57,16 @@ struct Parsed {
 };
 
 void add_run_options(CLI::App& app, Parsed& parsed) {
-  for (const auto& [name, help] : fields)
+  const auto add = [&](const char* name, const char* field, const char* help) {
     app.add_option_function<std::string>(
         fmt::format("--{}", name),
-        [&parsed, field = std::string(name)](const std::string& text) {
+        [&parsed, field = std::string(field)](const std::string& text) {
           parsed.given.emplace_back(field, text);
         },
         help);
+  };
+  for (const auto& [name, help] : fields) add(name, name, help);
+  for (const auto& [name, setting, help] : problem_settings) add(name, setting, help);
   app.add_option("--set", parsed.settings,
                  "GROUP.NAME=VALUE; groups: ipopt (any of its options), problem, formulation, solver")
       ->allow_extra_args(false)
@@ -70,6 +85,21 @@ void apply(Parsed& parsed) {
       throw InputError(fmt::format("--set {}; expected GROUP.NAME=VALUE", setting));
     set_field(parsed.once.config, setting.substr(0, equals), setting.substr(equals + 1));
   }
+}
+
+/// CLI11's message, and for an unknown option the one that was probably meant.
+std::string explained(const CLI::App& app, const CLI::ParseError& error) {
+  std::string meant;
+  if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
+    const CLI::App* used = app.get_subcommands().empty() ? &app : app.get_subcommands().front();
+    std::vector<std::string> names;
+    for (const CLI::Option* option : used->get_options()) names.push_back(option->get_name());
+    for (const CLI::App* sub : app.get_subcommands(nullptr)) names.push_back(sub->get_name());
+    const std::vector<std::string> extras = used == &app ? app.remaining(true) : used->remaining(true);
+    if (!extras.empty()) meant = kreisel::nearest(extras.front(), names);
+  }
+  return fmt::format("{}{} (bench --help lists the options)", error.what(),
+                     meant.empty() ? "" : fmt::format("; did you mean {}?", meant));
 }
 
 int dispatch(int argc, char** argv) {
@@ -107,7 +137,7 @@ int dispatch(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    throw InputError(fmt::format("{} (bench --help lists the options)", error.what()));
+    throw InputError(explained(app, error));
   }
   if (*experiment) return run_experiment(parsed.experiment);
   if (*reported) return report(parsed.report);
