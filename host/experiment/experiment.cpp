@@ -11,6 +11,7 @@
 #include "error.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/table.hpp"
+#include "nearest.hpp"
 
 namespace kreisel {
 namespace fs = std::filesystem;
@@ -253,7 +254,9 @@ fs::path find_experiment(const std::string& name_or_path) {
         return file;
   (void)data_folder();  // a folder that is missing is the nearer reason: throws
   const auto names = experiment_names();
-  throw InputError(fmt::format("experiment '{}': no such file, expected a TOML file{}", name_or_path,
+  const std::string meant = nearest(name_or_path, names);
+  throw InputError(fmt::format("experiment '{}': no such file{}, expected a TOML file{}", name_or_path,
+                               meant.empty() ? "" : fmt::format(" (did you mean '{}'?)", meant),
                                names.empty() ? "" : fmt::format(" or one of {}", fmt::join(names, ", "))));
 }
 

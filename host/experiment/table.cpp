@@ -1,11 +1,9 @@
 #include "experiment/table.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <system_error>
 
-#include "error.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/inertia_table.hpp"
 #include "experiment/published_table.hpp"
@@ -14,6 +12,7 @@
 #include "experiment/settings_table.hpp"
 #include "experiment/speedup_table.hpp"
 #include "experiment/table_parts.hpp"
+#include "unknown_name.hpp"
 
 namespace kreisel {
 
@@ -29,12 +28,9 @@ const std::vector<TableKind>& table_kinds() {
 }
 
 const TableKind& find_table_kind(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const TableKind& kind : table_kinds()) {
+  for (const TableKind& kind : table_kinds())
     if (kind.name == name) return kind;
-    names.push_back(kind.name);
-  }
-  throw InputError(fmt::format("table = '{}', expected one of {}", name, fmt::join(names, ", ")));
+  throw unknown_name("table", name, names_of(table_kinds()));
 }
 
 std::vector<RecordedRun> collect(const Experiment& experiment, const std::filesystem::path& results) {

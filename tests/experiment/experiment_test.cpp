@@ -139,6 +139,9 @@ TEST(Experiment, RefusesAMeshThatIsNoBoolean) {
   refuses("[[run]]\nmesh = 'yes'", 2, {"mesh", "true or false"});
 }
 TEST(Experiment, RefusesAnUnknownTable) { refuses("table = 'pie'\n[[run]]", 1, {"pie", "speedup"}); }
+TEST(Experiment, SuggestsTheTableThatWasMeant) {
+  refuses("table = 'setings'\n[[run]]", 1, {"did you mean 'settings'?"});
+}
 TEST(Experiment, RefusesATitleInsideARun) { refuses("[[run]]\ntitle = 'x'", 2, {"title"}); }
 TEST(Experiment, RefusesARunInSingleBrackets) { refuses("[run]\nrepeat = 1", 1, {"[[run]]"}); }
 TEST(Experiment, RefusesAFileWithoutRuns) { refuses("repeat = 1", 1, {"no run"}); }
@@ -176,6 +179,18 @@ TEST(FindExperiment, ListsTheNamesThereAreWhenItFindsNone) {
     const std::string what = error.what();
     EXPECT_NE(what.find("'nowhere'"), std::string::npos) << what;
     EXPECT_NE(what.find("only_here"), std::string::npos) << what;
+  }
+}
+
+TEST(FindExperiment, SuggestsTheNameThatWasMeant) {
+  const TemporaryFolder folder;
+  folder.write("experiments/only_here.toml", "[[run]]");
+  const Variable data("KREISEL_DATA", folder.path.string());
+  try {
+    (void)find_experiment("only_heer");
+    FAIL() << "found";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean 'only_here'?"), std::string::npos) << error.what();
   }
 }
 
