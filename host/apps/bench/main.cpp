@@ -49,6 +49,7 @@ constexpr std::tuple<const char*, const char*, const char*> problem_settings[] =
 struct Parsed {
   OnceOptions once;
   ExperimentOptions experiment;
+  ReportOptions report;
   std::vector<std::pair<std::string, std::string>> given;  ///< field, text
   std::vector<std::string> settings, paths;
   std::string only_device;
@@ -133,6 +134,11 @@ int dispatch(int argc, char** argv) {
   CLI::App* inspected = app.add_subcommand(
       "inspect", "check a mesh: faults, repairs, shells, mass properties, and what it does as a solid");
   add_inspect_options(*inspected, parsed);
+  CLI::App* reported =
+      app.add_subcommand("report", "tables and figures of experiments that have been run, as one HTML page");
+  reported->add_option("experiments", parsed.report.experiments, "default: all that have records");
+  reported->add_option("--results", parsed.report.results, "folder of the records")->capture_default_str();
+  reported->add_option("-o,--output", parsed.report.output, "the page")->capture_default_str();
   CLI::App* shown = app.add_subcommand("show", "print records");
   shown->add_option("records", parsed.paths, "HDF5 files, or folders of them")->required();
   CLI::App* listed =
@@ -152,6 +158,7 @@ int dispatch(int argc, char** argv) {
     apply(parsed);
     return inspect_model({parsed.once.config, parsed.once.json_file});
   }
+  if (*reported) return report(parsed.report);
   if (*shown) return show(parsed.paths);
   if (*listed) return list();
   if (*probed) return devices(!parsed.no_measure, parsed.only_device);
