@@ -8,7 +8,7 @@
 #include "error.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/run_text.hpp"
-#include "experiment/temporary_folder.hpp"
+#include "temporary_folder.hpp"
 
 namespace kreisel {
 namespace {
