@@ -12,6 +12,7 @@ namespace kreisel {
 
 double violation(const Problem& problem, const Moments& s) {
   const LinearConstraints& c = problem.constraints();
+  if (c.matrix.rows() == 0) return 0;
   const Eigen::VectorXd value = c.matrix * s;
   return std::max({0.0, (c.lower - value).maxCoeff(), (value - c.upper).maxCoeff()});
 }

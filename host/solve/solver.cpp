@@ -96,16 +96,19 @@ Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& 
     outcome = std::move(step);
     problem = problem->next(outcome.moments);
   }
+  if (outcome.steps > 1) {
+    // Judged by the problem that was asked: the last step asks for as much as there is, and is missed by what
+    // the solver leaves.
+    outcome.objective = task.problem.value(outcome.moments);
+    outcome.violation = violation(task.problem, outcome.moments);
+    outcome.message += fmt::format(", {} steps", outcome.steps);
+  }
   // A margin can always be found; whether it is enough is another question. Solvers meet 1e-9.
   constexpr double met = 1e-6;
   if (task.problem.goal() == Goal::margin && outcome.violation > met &&
       (outcome.termination == Termination::optimal || outcome.termination == Termination::acceptable)) {
     outcome.termination = Termination::infeasible;
     outcome.message = fmt::format("the constraints are missed by {:.2e} at the least", outcome.violation);
-  }
-  if (outcome.steps > 1) {  // judged by the problem that was asked
-    outcome.objective = task.problem.value(outcome.moments);
-    outcome.message += fmt::format(", {} steps", outcome.steps);
   }
   return outcome;
 }

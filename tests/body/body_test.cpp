@@ -11,8 +11,8 @@
 #include "body/models.hpp"
 #include "body/models/debian_meshes.hpp"
 #include "body/test_meshes.hpp"
-#include "device/scoped_environment.hpp"
 #include "error.hpp"
+#include "temporary_folder.hpp"
 #include "test_device.hpp"
 
 namespace kreisel {
@@ -35,8 +35,8 @@ class BodyOfABox : public testing::Test {
     return spec;
   }
 
-  ScopedFolder folder_{"kreisel-body-test"};
-  std::filesystem::path file_ = folder_.path() / "brick.off";
+  TemporaryFolder folder_;
+  std::filesystem::path file_ = folder_.path / "brick.off";
 };
 
 /// The kernel's bound for 12 triangles and the few roundings of the frame, in numbers of order one.

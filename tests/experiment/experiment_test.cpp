@@ -10,7 +10,7 @@
 #include "experiment/published.hpp"
 #include "experiment/run_text.hpp"
 #include "experiment/table.hpp"
-#include "experiment/temporary_folder.hpp"
+#include "temporary_folder.hpp"
 
 namespace kreisel {
 namespace {

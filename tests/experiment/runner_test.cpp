@@ -10,8 +10,8 @@
 
 #include "error.hpp"
 #include "experiment/progress.hpp"
-#include "experiment/temporary_folder.hpp"
 #include "record/record.hpp"
+#include "temporary_folder.hpp"
 
 namespace kreisel {
 namespace {

@@ -11,8 +11,8 @@
 #include "experiment/runner.hpp"
 #include "experiment/speedup_table.hpp"
 #include "experiment/table_parts.hpp"
-#include "experiment/temporary_folder.hpp"
 #include "experiment/text_table.hpp"
+#include "temporary_folder.hpp"
 
 namespace kreisel {
 namespace {
