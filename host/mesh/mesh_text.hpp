@@ -50,7 +50,8 @@ class MeshLines {
   bool next(std::string_view& line) {
     while (!rest_.empty()) {
       const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-      line = rest_.substr(0, std::min(end, rest_.find('#')));
+      line = rest_.substr(0, end);
+      line = line.substr(0, line.find('#'));
       rest_.remove_prefix(std::min(end + 1, rest_.size()));
       ++number_;
       std::string_view probe = line;
