@@ -1,15 +1,41 @@
 // ray_moments.cl - ten moments of the solid segments of a bundle of rays, and their derivatives. [RayRep, s. 3.1]
 //
-// in    x        real  [2*n]       z0, z1 of each ray, interleaved, in units of p.unit
+// in    x        real  [VARS*n]    the ends that vary, in units of p.unit: z0 and z1 of each ray, interleaved, or
+//                                  one of them
 // in    column   uint  [n]         ix | iy << 16
+// in    fixed    real  [n]         the other end of each ray when only one varies; else not read
 // out   partial  accum [groups*10] one row a work-group, order s1 sx sy sz sxy syz sxz sxx syy szz
-// build WG, KREISEL_SINGLE         see real.h
+// build ENDS                       1: z0 varies, 2: z1 varies, 3: both
+//       WG, KREISEL_SINGLE         see real.h
 // sum   a block of elements a group, reduce10 at its end: fixed order, no atomics
 // rays are h x h columns: sxx and syy carry h^2/12 per column; the integral along z is exact
 #include "ray_moments_params.h"
 #include "reduce10.h"
 
+#ifndef ENDS
+#define ENDS 3
+#endif
+#define VARS (ENDS == 3 ? 2 : 1)
+// Material grows with z1 and shrinks with z0; `end` counts the ends that vary.
+#define SIGN(end) ((real)(ENDS == 1 || (ENDS == 3 && (end) == 0) ? -1 : 1))
+
 typedef struct { real x, y, area; } Column;
+typedef struct { real z0, z1; } Segment;
+
+static inline Segment segment_at(const RayParams* p, global const real* x, global const real* fixed, int i) {
+  Segment s;
+#if ENDS == 3
+  s.z0 = p->unit * x[2 * i];
+  s.z1 = p->unit * x[2 * i + 1];
+#elif ENDS == 1
+  s.z0 = p->unit * x[i];
+  s.z1 = p->unit * fixed[i];
+#else
+  s.z0 = p->unit * fixed[i];
+  s.z1 = p->unit * x[i];
+#endif
+  return s;
+}
 
 static inline Column column_at(const RayParams* p, uint packed) {
   Column c;
@@ -29,6 +55,7 @@ static inline void along_ray(const RayParams* p, Column c, global const real* w,
 
 kernel __attribute__((reqd_work_group_size(WG, 1, 1))) void ray_moments(RayParams p, global const real* x,
                                                                         global const uint* column,
+                                                                        global const real* fixed,
                                                                         global accum* partial) {
   local accum scratch[10 * WG];
   accum s[10];
@@ -36,7 +63,8 @@ kernel __attribute__((reqd_work_group_size(WG, 1, 1))) void ray_moments(RayParam
   const real hh = p.h * p.h / 12;
   for (int i = block_begin(p.block); i < block_end(p.block, p.n); i += WG) {
     const Column c = column_at(&p, column[i]);
-    const real z0 = p.unit * x[2 * i], z1 = p.unit * x[2 * i + 1];
+    const Segment segment = segment_at(&p, x, fixed, i);
+    const real z0 = segment.z0, z1 = segment.z1;
     // Written with the factor (z1 - z0), so that thin segments keep their digits.
     const real len = c.area * (z1 - z0);
     const real mid = len * (z0 + z1) / 2;
@@ -54,24 +82,25 @@ kernel __attribute__((reqd_work_group_size(WG, 1, 1))) void ray_moments(RayParam
   reduce10(s, scratch, partial);
 }
 
-// (ds/dx)^T w for each of p.rows weight rows: out[r*2n + j] = sum_k w[r*10+k] ds_k/dx_j.
+// (ds/dx)^T w for each of p.rows weight rows: out[r*VARS*n + j] = sum_k w[r*10+k] ds_k/dx_j.
 kernel void ray_pull_back(RayParams p, global const real* x, global const uint* column, global const real* w,
                           global real* out) {
   const int i = get_global_id(0);
   if (i >= p.n) return;
   const Column c = column_at(&p, column[i]);
-  const real z0 = p.unit * x[2 * i], z1 = p.unit * x[2 * i + 1];
   const real scale = p.unit * c.area;
   for (int r = 0; r < p.rows; ++r) {
     real a[3];
     along_ray(&p, c, w + 10 * r, a);
-    global real* row = out + (size_t)r * 2 * p.n;
-    row[2 * i] = -scale * (a[0] + z0 * (a[1] + z0 * a[2]));
-    row[2 * i + 1] = scale * (a[0] + z1 * (a[1] + z1 * a[2]));
+    global real* row = out + (size_t)r * VARS * p.n + (size_t)VARS * i;
+    for (int end = 0; end < VARS; ++end) {
+      const real z = p.unit * x[VARS * i + end];
+      row[end] = SIGN(end) * scale * (a[0] + z * (a[1] + z * a[2]));
+    }
   }
 }
 
-// Diagonal of sum_k w_k d2s_k/dx2, which has no other entries: out[j], j < 2n.
+// Diagonal of sum_k w_k d2s_k/dx2, which has no other entries: out[j], j < VARS*n.
 kernel void ray_curvature(RayParams p, global const real* x, global const uint* column, global const real* w,
                           global real* out) {
   const int i = get_global_id(0);
@@ -80,6 +109,6 @@ kernel void ray_curvature(RayParams p, global const real* x, global const uint* 
   real a[3];
   along_ray(&p, c, w, a);
   const real scale = p.unit * p.unit * c.area;
-  out[2 * i] = -scale * (a[1] + 2 * a[2] * p.unit * x[2 * i]);
-  out[2 * i + 1] = scale * (a[1] + 2 * a[2] * p.unit * x[2 * i + 1]);
+  for (int end = 0; end < VARS; ++end)
+    out[VARS * i + end] = SIGN(end) * scale * (a[1] + 2 * a[2] * p.unit * x[VARS * i + end]);
 }

@@ -44,6 +44,8 @@ struct Rounded {
 /// Each method that touches x costs one kernel pass.
 class Formulation {
  public:
+  static constexpr std::size_t most_weights = 10;
+
   virtual ~Formulation() = default;
 
   [[nodiscard]] virtual std::string_view name() const = 0;  ///< stable: part of the results path
@@ -55,7 +57,7 @@ class Formulation {
   /// s(x). @param x  num_variables() values
   [[nodiscard]] virtual Moments moments(std::span<const double> x) = 0;
 
-  /// (ds/dx)^T w for every column w of `weights`: out[r * num_variables() + i].
+  /// (ds/dx)^T w for every w of `weights`, at most most_weights: out[r * num_variables() + i].
   virtual void pull_back(std::span<const double> x, std::span<const Moments> weights,
                          std::span<double> out) = 0;
 

@@ -16,21 +16,29 @@ constexpr std::size_t most_rows = 10;
 }  // namespace
 
 RayMoments::RayMoments(device::Device& device, const Grid& grid, std::span<const std::uint32_t> columns,
-                       double unit)
+                       double unit, Ends ends, std::span<const double> fixed)
     : device_(&device),
       grid_(grid),
       unit_(unit),
       n_(columns.size()),
+      variables_(ends == Ends::both ? 2 * n_ : n_),
       columns_(device::upload_words(device, columns)),
-      x_(device, 2 * columns.size()),
+      fixed_(device, n_),
+      x_(device, variables_),
       weights_(device, 10 * most_rows),
-      out_(device, most_rows * 2 * columns.size()),
-      rows_(device, columns.size()) {
-  const cl::Program program = device::build(device, "ray_moments");
+      out_(device, most_rows * variables_),
+      rows_(device, n_) {
+  if (fixed.size() != 2 * n_ - variables_)
+    throw std::invalid_argument(
+        fmt::format("{} fixed ends for {} rays; expected {}", fixed.size(), n_, 2 * n_ - variables_));
+  if (!fixed.empty()) fixed_.upload(fixed);
+  const cl::Program program =
+      device::build(device, "ray_moments", fmt::format("-DENDS={}", static_cast<int>(ends)));
   sum_ = cl::Kernel(program, "ray_moments");
   sum_.setArg(1, x_.handle());
   sum_.setArg(2, columns_);
-  sum_.setArg(3, rows_.handle());
+  sum_.setArg(3, fixed_.handle());
+  sum_.setArg(4, rows_.handle());
   for (auto [kernel, name] :
        {std::pair{&pull_back_, "ray_pull_back"}, std::pair{&curvature_, "ray_curvature"}}) {
     *kernel = cl::Kernel(program, name);
@@ -55,8 +63,8 @@ void RayMoments::set_params(cl::Kernel& kernel, std::size_t rows) {
 }
 
 void RayMoments::require_length(std::size_t values) const {
-  if (values != 2 * n_)
-    throw std::invalid_argument(fmt::format("{} values for {} rays; expected two a ray", values, n_));
+  if (values != variables_)
+    throw std::invalid_argument(fmt::format("{} values for {} rays; expected {}", values, n_, variables_));
 }
 
 Moments RayMoments::operator()(std::span<const double> x) {

@@ -15,17 +15,23 @@ namespace kreisel {
   return static_cast<std::uint32_t>(ix) | static_cast<std::uint32_t>(iy) << 16;
 }
 
-/// Sums over rays of a grid; compiled once, for a fixed set of rays. Variables are z0, z1 of each ray,
-/// interleaved, in units of `unit` body lengths. [RayRep, s. 3.1]
+/// Which ends of the rays' segments vary; the values are those of ENDS in ray_moments.cl.
+enum class Ends : int { lower = 1, upper = 2, both = 3 };
+
+/// Sums over rays of a grid; compiled once, for a fixed set of rays. Variables are the varying ends of each
+/// ray (both: z0, z1, interleaved) in units of `unit` body lengths. [RayRep, s. 3.1]
 class RayMoments {
  public:
   /// @param columns  pack_column() of each ray; a column may hold several
-  RayMoments(device::Device& device, const Grid& grid, std::span<const std::uint32_t> columns, double unit);
+  /// @param fixed    the end of each ray that does not vary, same unit; empty when both do
+  /// @throws std::invalid_argument  wrong length of `fixed`
+  RayMoments(device::Device& device, const Grid& grid, std::span<const std::uint32_t> columns, double unit,
+             Ends ends = Ends::both, std::span<const double> fixed = {});
 
   /// Ten moments at unit density about the grid's frame. @throws std::invalid_argument  wrong length
   [[nodiscard]] Moments operator()(std::span<const double> x);
 
-  /// out[r * 2n + j] = sum_k weights[r][k] ds_k/dx_j.
+  /// out[r * variables + j] = sum_k weights[r][k] ds_k/dx_j.
   void pull_back(std::span<const double> x, std::span<const Moments> weights, std::span<double> out);
 
   /// out[j] = sum_k weight[k] d2s_k/dx_j^2; there are no mixed terms.
@@ -41,9 +47,9 @@ class RayMoments {
   device::Device* device_;
   Grid grid_;
   double unit_;
-  std::size_t n_;
+  std::size_t n_, variables_;
   cl::Buffer columns_;
-  device::RealBuffer x_, weights_, out_;
+  device::RealBuffer fixed_, x_, weights_, out_;
   device::PartialRows rows_;
   cl::Kernel sum_, pull_back_, curvature_;
 };
@@ -54,7 +60,7 @@ struct RaySums {
   Moments value, abs_sum;
 };
 
-/// The same in plain double on the host.
+/// The same in plain double on the host. @param x  z0, z1 of each ray, interleaved
 [[nodiscard]] RaySums ray_moments(const Grid& grid, std::span<const std::uint32_t> columns, double unit,
                                   std::span<const double> x);
 

@@ -15,7 +15,8 @@ namespace {
 enum class RayBounds { midpoint, ordered };
 
 struct RayRepOptions {
-  RayBounds bounds = RayBounds::midpoint;
+  Ends ends = Ends::both;
+  RayBounds bounds = RayBounds::midpoint;  ///< where both ends vary
   bool cell_unit = true;
 };
 
@@ -26,28 +27,42 @@ std::vector<std::uint32_t> columns_of(const Columns& domain) {
   return columns;
 }
 
+/// The end of each interval that stays where it is.
+std::vector<double> fixed_ends(const Columns& domain, Ends ends, double unit) {
+  std::vector<double> fixed;
+  if (ends != Ends::both)
+    for (const Interval& run : domain.intervals)
+      fixed.push_back(domain.grid.face(2, ends == Ends::upper ? run.k0 : run.k1) / unit);
+  return fixed;
+}
+
 class RayRep final : public Formulation {
  public:
   RayRep(const Columns& domain, const RayRepOptions& options, device::Device& device)
       : domain_(domain),
         options_(options),
         unit_(options.cell_unit ? domain.grid.h : 1.0),
-        kernel_(device, domain.grid, columns_of(domain), unit_) {
+        kernel_(device, domain.grid, columns_of(domain), unit_, options.ends,
+                fixed_ends(domain, options.ends, unit_)) {
     for (const Interval& run : domain.intervals) {
       const double low = face(run.k0), high = face(run.k1), middle = (low + high) / 2;
-      const bool ordered = options.bounds == RayBounds::ordered;
-      bounds_.lower.insert(bounds_.lower.end(), {low, ordered ? low : middle});
-      bounds_.upper.insert(bounds_.upper.end(), {ordered ? high : middle, high});
+      if (options.ends != Ends::both || options.bounds == RayBounds::ordered) {
+        bounds_.lower.insert(bounds_.lower.end(), variables_a_ray(), low);
+        bounds_.upper.insert(bounds_.upper.end(), variables_a_ray(), high);
+      } else {
+        bounds_.lower.insert(bounds_.lower.end(), {low, middle});
+        bounds_.upper.insert(bounds_.upper.end(), {middle, high});
+      }
     }
   }
 
   std::string_view name() const override { return "rayrep"; }
-  std::size_t num_variables() const override { return 2 * domain_.intervals.size(); }
+  std::size_t num_variables() const override { return variables_a_ray() * domain_.intervals.size(); }
   const Bounds& bounds() const override { return bounds_; }
 
   SparseRows own_constraints() const override {
     SparseRows rows;
-    if (options_.bounds == RayBounds::midpoint) return rows;
+    if (options_.ends != Ends::both || options_.bounds == RayBounds::midpoint) return rows;
     const int n = static_cast<int>(domain_.intervals.size());
     for (int i = 0; i < n; ++i) {
       rows.entries.push_back({i, 2 * i, -1.0});
@@ -79,16 +94,23 @@ class RayRep final : public Formulation {
       if (std::abs(z - bounds_.upper[j]) < close) z = bounds_.upper[j];
       return (z * unit_ - grid.origin[2]) / grid.h;
     };
+    // Halves are common, for the middle of an odd run is one. They go towards the segment's inside at both
+    // ends: a void ray stays void, and a body that is point-symmetric is rounded alike on either side of its
+    // axis.
+    constexpr double round_off = 1e-9;
+    const auto first_solid = [&](std::size_t j) {
+      return static_cast<int>(std::floor(height(j) + 0.5 + round_off));
+    };
+    const auto last_solid = [&](std::size_t j) {
+      return static_cast<int>(std::ceil(height(j) - 0.5 - round_off));
+    };
     for (std::size_t i = 0; i < domain_.intervals.size(); ++i) {
       const Interval& run = domain_.intervals[i];
-      // Halves are common, for the middle of an odd run is one. They go towards the segment's inside at both
-      // ends: a void ray stays void, and a body that is point-symmetric is rounded alike on either side of
-      // its axis.
-      constexpr double round_off = 1e-9;
-      const int from =
-          std::clamp(static_cast<int>(std::floor(height(2 * i) + 0.5 + round_off)), run.k0, run.k1);
-      const int to =
-          std::clamp(static_cast<int>(std::ceil(height(2 * i + 1) - 0.5 - round_off)), run.k0, run.k1);
+      const std::size_t j = i * variables_a_ray();
+      const int from = options_.ends == Ends::upper ? run.k0 : std::clamp(first_solid(j), run.k0, run.k1);
+      const int to = options_.ends == Ends::lower
+                         ? run.k1
+                         : std::clamp(last_solid(j + variables_a_ray() - 1), run.k0, run.k1);
       for (int k = from; k < to; ++k)
         rounded.solid.set(rounded.solid.first(i) + static_cast<std::size_t>(k - run.k0), true);
     }
@@ -98,6 +120,7 @@ class RayRep final : public Formulation {
 
  private:
   [[nodiscard]] double face(int k) const { return domain_.grid.face(2, k) / unit_; }
+  [[nodiscard]] std::size_t variables_a_ray() const { return options_.ends == Ends::both ? 2 : 1; }
 
   const Columns& domain_;
   RayRepOptions options_;
@@ -108,9 +131,11 @@ class RayRep final : public Formulation {
 
 }  // namespace
 
-std::unique_ptr<Formulation> make_rayrep(const Columns& domain, const Traits&,
+std::unique_ptr<Formulation> make_rayrep(const Columns& domain, const Traits& traits,
                                          const FormulationSettings& settings, device::Device& device) {
-  RayRepOptions options;
+  RayRepOptions options{
+      .ends = traits.filling == Filling::from_below ? Ends::upper : Ends::both,
+      .bounds = traits.filling == Filling::either_end ? RayBounds::ordered : RayBounds::midpoint};
   for (const auto& [name, value] : settings) {
     if (name == "bounds" && (value == "midpoint" || value == "ordered"))
       options.bounds = value == "ordered" ? RayBounds::ordered : RayBounds::midpoint;

@@ -4,14 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "error.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "parse.hpp"
 
 namespace kreisel {
 
@@ -29,16 +27,6 @@ inline std::string_view next_word(std::string_view& line) {
   const std::string_view word = line.substr(0, line.find_first_of(blank));
   line.remove_prefix(word.size());
   return word;
-}
-
-/// `word` as a number, or nothing if any part of it is not one. Never looks at the locale.
-template <class Number>
-std::optional<Number> parse(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  Number value{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (word.empty() || error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-  return value;
 }
 
 /// Walks the lines of a file that have at least one word; `#` starts a comment.
@@ -71,7 +59,7 @@ class MeshLines {
     for (double& x : p) {
       const std::string_view word = next_word(line);
       const auto value = parse<double>(word);
-      if (!value || !std::isfinite(*value))
+      if (!value)
         throw error(fmt::format("coordinate '{}' of vertex {}, expected three finite numbers", word, index));
       x = *value;
     }

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "body/moments.hpp"
+#include "body/body.hpp"
 
 namespace kreisel {
 
@@ -21,9 +21,17 @@ struct LinearConstraints {
 /// What is known of f over the convex set of attainable moments; decides which certificates apply.
 enum class Convexity { linear, fractional, pseudoconvex, spin, top };
 
+/// How the optimum fills a ray along z: `segment`, some inner part of it; `either_end`, from one of its ends,
+/// not known beforehand which; `from_below`, from its lower end, which leaves one variable a ray.
+enum class Filling { segment, either_end, from_below };
+
+/// What a solver minimises: f, or the margin, the smallest t with lower - t <= C s <= upper + t. The margin
+/// is negative as far as inequalities can be met with something to spare.
+enum class Goal { value, margin };
+
 /// What shortens or shapes a formulation's variables.
 struct Traits {
-  bool fills_from_below = false;  ///< the optimum fills every ray from its lower end: one variable a ray
+  Filling filling = Filling::segment;
 };
 
 /// Does the finished part do what was asked?
@@ -41,11 +49,19 @@ class Problem {
   [[nodiscard]] virtual std::string_view name() const = 0;
   [[nodiscard]] virtual Convexity convexity() const = 0;
   [[nodiscard]] virtual Traits traits() const { return {}; }
+  [[nodiscard]] virtual Goal goal() const { return Goal::value; }
 
   [[nodiscard]] virtual double value(const Moments& s) const = 0;
   [[nodiscard]] virtual Moments gradient(const Moments& s) const = 0;
   [[nodiscard]] virtual Matrix10 hessian(const Moments& s) const = 0;
   [[nodiscard]] virtual const LinearConstraints& constraints() const = 0;
+
+  /// A problem that is a search over a parameter, solved as a sequence: the next one, given the moments that
+  /// solve this one; nullptr when they are the answer.
+  [[nodiscard]] virtual std::unique_ptr<Problem> next(const Moments&) const { return nullptr; }
+
+  /// What could be asked of this body with this shell, in a sentence; empty when there is nothing to say.
+  [[nodiscard]] virtual std::string scope(const MassModel&) const { return {}; }
 
   /// Judges a finished solid by exact criteria. @param length_mm  one body length in millimetres
   [[nodiscard]] virtual Verdict verify(const Moments& s, double length_mm) const = 0;
@@ -55,17 +71,22 @@ class Problem {
 [[nodiscard]] double violation(const Problem& problem, const Moments& s);
 
 /// Settings of a problem, from `--set problem.NAME=VALUE`.
-using ProblemSettings = std::map<std::string, double>;
+using ProblemSettings = std::map<std::string, std::string>;
 
 /// One line of `bench list` and the way to make the problem.
 struct ProblemEntry {
   std::string_view name, summary;
-  std::unique_ptr<Problem> (*make)(const ProblemSettings& settings);
+  /// @param body  what is to spin, stand or float; not kept
+  std::unique_ptr<Problem> (*make)(const ProblemSettings& settings, const Body& body);
 };
 
 [[nodiscard]] const std::vector<ProblemEntry>& problems();
 
-/// @throws InputError  unknown problem (names those there are), unknown or unfit setting
-[[nodiscard]] std::unique_ptr<Problem> make_problem(std::string_view name, const ProblemSettings& settings);
+/// @throws InputError  unknown problem (names those there are)
+[[nodiscard]] const ProblemEntry& find_problem(std::string_view name);
+
+/// @throws InputError  unknown problem, unknown or unfit setting, or a body the problem makes no sense for
+[[nodiscard]] std::unique_ptr<Problem> make_problem(std::string_view name, const ProblemSettings& settings,
+                                                    const Body& body);
 
 }  // namespace kreisel

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "error.hpp"
+#include "parse.hpp"
 
 namespace kreisel {
 namespace {
@@ -146,16 +147,17 @@ Verdict Spin::verify(const Moments& s, double length_mm) const {
   return verdict;
 }
 
-std::unique_ptr<Problem> make_spin(const ProblemSettings& settings) {
+std::unique_ptr<Problem> make_spin(const ProblemSettings& settings, const Body&) {
   SpinOptions options;
-  for (const auto& [name, value] : settings) {
-    if (name == "lambda" && value >= 0 && std::isfinite(value))
+  for (const auto& [name, text] : settings) {
+    const double value = parse<double>(text).value_or(-1);
+    if (name == "lambda" && value >= 0)
       options.lambda = value;
-    else if (name == "gamma_i" && value > 0 && std::isfinite(value))
+    else if (name == "gamma_i" && value > 0)
       options.gamma_i = value;
     else
       throw InputError(
-          fmt::format("problem.{} = {} for spin; expected lambda >= 0 or gamma_i > 0", name, value));
+          fmt::format("problem.{} = {} for spin; expected lambda >= 0 or gamma_i > 0", name, text));
   }
   return std::make_unique<Spin>(options);
 }

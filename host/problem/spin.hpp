@@ -36,6 +36,6 @@ class Spin final : public Problem {
 };
 
 /// @throws InputError  a setting other than lambda, gamma_i, or out of range
-std::unique_ptr<Problem> make_spin(const ProblemSettings& settings);
+std::unique_ptr<Problem> make_spin(const ProblemSettings& settings, const Body& body);
 
 }  // namespace kreisel

@@ -1,6 +1,6 @@
-#include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "parse.hpp"
 #include "record/record.hpp"
 
 namespace kreisel {
@@ -19,14 +19,12 @@ json to_json(const Seconds& s) {
   return {{"setup", s.setup}, {"kernels", s.kernels}, {"solve", s.solve}, {"total", s.total}};
 }
 
-/// lambda and the gammas as set, else their defaults; other settings of the problem as they are.
+/// The problem's settings; lambda and the gammas of `spin` as set, else their defaults.
 json weights(const RunConfig& config) {
-  json all = {{"lambda", 0.0}, {"gamma_i", 1.0}};
+  json all = config.problem == "spin" ? json{{"lambda", 0.0}, {"gamma_i", 1.0}} : json::object();
   for (const auto& [name, text] : settings_of(config, "problem")) {
-    double value = 0;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (status == std::errc() && end == text.data() + text.size())
-      all[name] = value;
+    if (const auto value = parse<double>(text))
+      all[name] = *value;
     else
       all[name] = text;
   }
@@ -110,6 +108,9 @@ json to_json(const RunResult& r) {
       {"iterations", o.iterations},
       {"termination", to_string(o.termination)},
       {"message", o.message},
+      {"scope", r.scope},
+      {"infeasibility", r.infeasibility},
+      {"steps", o.steps},
       {"solver_settings", o.settings},
       {"objective", o.objective},
       {"solid_objective", r.solid_objective},

@@ -132,6 +132,9 @@ void write_variables(Group& group, const RunResult& r) {
 void write_solve(Group group, const RunResult& r) {
   const Outcome& o = r.outcome;
   group.set("message", o.message);
+  group.set("scope", r.scope);
+  group.set("infeasibility", r.infeasibility);
+  group.set("steps", o.steps);
   group.set("dual_infeasibility", o.dual_infeasibility);
   group.set("complementarity", o.complementarity);
   group.set("kernel_seconds", o.kernel_seconds);

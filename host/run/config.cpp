@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <vector>
 
 #include "error.hpp"
+#include "parse.hpp"
 
 namespace kreisel {
 namespace {
@@ -21,22 +21,16 @@ constexpr std::array<std::string_view, 4> groups = {"ipopt", "problem", "formula
   throw InputError(fmt::format("{} = '{}'; expected {}", key, value, expected));
 }
 
-template <class T>
-bool parse(std::string_view text, T& value) {
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return status == std::errc() && end == text.data() + text.size();
-}
-
 double number(std::string_view key, std::string_view value) {
-  double result = 0;
-  if (!parse(value, result) || !std::isfinite(result)) refuse(key, value, "a number");
-  return result;
+  const auto result = parse<double>(value);
+  if (!result) refuse(key, value, "a number");
+  return *result;
 }
 
 int whole(std::string_view key, std::string_view value, int least) {
-  int result = 0;
-  if (!parse(value, result) || result < least) refuse(key, value, fmt::format("a whole number >= {}", least));
-  return result;
+  const auto result = parse<int>(value);
+  if (!result || *result < least) refuse(key, value, fmt::format("a whole number >= {}", least));
+  return *result;
 }
 
 std::vector<std::string_view> split(std::string_view text, char at) {
@@ -48,25 +42,22 @@ std::vector<std::string_view> split(std::string_view text, char at) {
 }
 
 Vec3 vector(std::string_view key, std::string_view value) {
-  const auto parts = split(value, ',');
-  Vec3 v;
-  if (parts.size() != 3) refuse(key, value, "three numbers x,y,z");
-  for (int a = 0; a < 3; ++a)
-    if (!parse(parts[a], v[a]) || !std::isfinite(v[a])) refuse(key, value, "three numbers x,y,z");
-  return v;
+  const auto v = parse_vector(value);
+  if (!v) refuse(key, value, "three numbers x,y,z");
+  return *v;
 }
 
 GridSpec grid(std::string_view key, std::string_view value) {
   GridSpec spec;
-  const auto parts = split(value, 'x');
-  std::array<int, 3> cells{};
-  if (parts.size() == 1 && parse(parts[0], spec.resolution) && spec.resolution >= 2) return spec;
-  if (parts.size() == 3 && parse(parts[0], cells[0]) && parse(parts[1], cells[1]) &&
-      parse(parts[2], cells[2])) {
-    spec.cells = cells;
-    return spec;
-  }
-  refuse(key, value, "cells along the longest side (2 to 1024), or NXxNYxNZ");
+  std::vector<int> cells;
+  for (const std::string_view part : split(value, 'x')) cells.push_back(parse<int>(part).value_or(-1));
+  if (cells.size() == 1 && cells[0] >= 2)
+    spec.resolution = cells[0];
+  else if (cells.size() == 3 && std::ranges::min(cells) >= 2)
+    spec.cells = {cells[0], cells[1], cells[2]};
+  else
+    refuse(key, value, "cells along the longest side (2 to 1024), or NXxNYxNZ");
+  return spec;
 }
 
 std::string text_of(const Vec3& v) { return fmt::format("{},{},{}", v[0], v[1], v[2]); }

@@ -12,6 +12,7 @@
 #include "fabricate/verify.hpp"
 #include "fabricate/void_surface.hpp"
 #include "mesh/write_stl.hpp"
+#include "solve/explain.hpp"
 #include "solve/interrupt.hpp"
 
 namespace kreisel {
@@ -100,20 +101,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
     if (progress) progress(step);
   };
   // What needs no work is checked first, so that a typing error costs no time.
-  const std::unique_ptr<Problem> problem = make_problem(config.problem, [&] {
-    ProblemSettings numbers;
-    for (const auto& [name, value] : settings_of(config, "problem")) {
-      std::size_t used = 0;
-      try {
-        numbers[name] = std::stod(value, &used);
-      } catch (const std::exception&) {
-        used = std::string::npos;
-      }
-      if (used != value.size())
-        throw InputError(fmt::format("problem.{} = '{}'; expected a number", name, value));
-    }
-    return numbers;
-  }());
+  const ProblemEntry& asked = find_problem(config.problem);
   const FormulationEntry& way = find_formulation(config.formulation);
   const SolverEntry& solver = find_solver(config.solver, way.name);
   SolverOptions options = parse_solver_options(settings_of(config, "solver"));
@@ -124,6 +112,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   tell("set-up");
   const Stopwatch setup;
   const Body body = make_body(config.body, device);
+  const std::unique_ptr<Problem> problem = asked.make(settings_of(config, "problem"), body);
   const Columns domain = make_columns(body, config.grid, config.wall);
   const MassModel mass = hollowed(body, domain.interior);
   const std::unique_ptr<Formulation> formulation =
@@ -152,17 +141,22 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   r.inside_voxels = domain.inside_voxels;
   r.interior_voxels = domain.interior_voxels;
   r.solid_objective = problem->value(body.solid);
+  r.scope = problem->scope(mass);
   r.variables = formulation->num_variables();
 
   const Stopwatch budget;
   while (static_cast<int>(r.samples.size()) < config.repeat &&
          (r.samples.empty() || (budget.seconds() < config.budget_seconds && !interrupted()))) {
     tell(fmt::format("solve {} of {}", r.samples.size() + 1, config.repeat));
-    r.outcome = solver.solve({*problem, *formulation, mass, device}, options);
+    r.outcome = solve(solver, {*problem, *formulation, mass, device}, options);
     r.samples.push_back({setup_seconds, r.outcome.kernel_seconds, r.outcome.solve_seconds,
                          setup_seconds + r.outcome.solve_seconds});
   }
   r.median = medians(r.samples);
+  if (r.outcome.termination == Termination::infeasible) {
+    tell("look for what cannot be met");
+    r.infeasibility = explain_infeasible(solver, {*problem, *formulation, mass, device}, options);
+  }
 
   tell("round, extract, verify");
   const Rounded rounded = formulation->round(r.outcome.x);

@@ -56,7 +56,9 @@ struct RunResult {
   double solid_objective = 0;  ///< f of the solid body, before anything is hollowed
 
   std::size_t variables = 0;
+  std::string scope;             ///< Problem::scope()
   Outcome outcome;               ///< of the last timed solve
+  std::string infeasibility;     ///< what cannot be met, when the outcome is infeasible
   std::vector<Seconds> samples;  ///< every timed solve
   Seconds median;                ///< of each column of samples
   RoundingCost rounding;

@@ -8,19 +8,16 @@ namespace {
 
 class DirectNlp final : public Nlp {
  public:
-  DirectNlp(const Task& task, std::vector<double> start)
-      : Nlp(task, std::move(start)),
-        rows_(static_cast<std::size_t>(task.problem.constraints().matrix.rows())) {
+  DirectNlp(const Task& task, std::vector<double> start) : Nlp(task, std::move(start)) {
     // The rows of C as pull-back weights.
-    for (std::size_t r = 0; r < rows_; ++r)
-      weights_.push_back(task.mass.contrast *
-                         task.problem.constraints().matrix.row(static_cast<Eigen::Index>(r)).transpose());
+    for (const Row& row : rows_) weights_.push_back(task.mass.contrast * form(row).transpose());
   }
 
   bool get_nlp_info(Index& n, Index& m, Index& jac, Index& hess, IndexStyleEnum& style) override {
-    n = static_cast<Index>(n_);
-    m = static_cast<Index>(rows_ + own_.lower.size());
-    jac = static_cast<Index>(rows_ * n_ + own_.entries.size());
+    const std::size_t t = margin() ? 1 : 0;
+    n = static_cast<Index>(n_ + t);
+    m = static_cast<Index>(rows_.size() + own_.lower.size());
+    jac = static_cast<Index>(rows_.size() * (n_ + t) + own_.entries.size());
     hess = 0;
     style = C_STYLE;
     return true;
@@ -28,26 +25,35 @@ class DirectNlp final : public Nlp {
 
   bool get_bounds_info(Index, Number* x_l, Number* x_u, Index, Number* g_l, Number* g_u) override {
     fill_bounds(x_l, x_u);
-    const LinearConstraints& c = task_.problem.constraints();
-    std::copy_n(c.lower.data(), rows_, g_l);
-    std::copy_n(c.upper.data(), rows_, g_u);
-    own_row_bounds(g_l + rows_, g_u + rows_);
+    if (margin()) {
+      x_l[n_] = -infinity;
+      x_u[n_] = infinity;
+    }
+    problem_row_bounds(g_l, g_u);
+    own_row_bounds(g_l + rows_.size(), g_u + rows_.size());
     return true;
   }
 
   bool get_starting_point(Index, bool, Number* x, bool, Number*, Number*, Index, bool, Number*) override {
     std::ranges::copy(start_, x);
+    if (margin()) x[n_] = margin_at(total(x, true));
     return true;
   }
 
   bool eval_f(Index, const Number* x, bool new_x, Number& value) override {
     ++evaluations_.objective;
-    value = task_.problem.value(total(x, new_x));
+    value = margin() ? x[n_] : task_.problem.value(total(x, new_x));
     return true;
   }
 
   bool eval_grad_f(Index, const Number* x, bool new_x, Number* gradient) override {
     ++evaluations_.gradient;
+    if (margin()) {
+      if (new_x) known_ = false;
+      std::fill_n(gradient, n_, 0.0);
+      gradient[n_] = 1;
+      return true;
+    }
     const Moments weight = task_.mass.contrast * task_.problem.gradient(total(x, new_x));
     task_.formulation.pull_back(variables(x), {&weight, 1}, {gradient, n_});
     return true;
@@ -55,27 +61,36 @@ class DirectNlp final : public Nlp {
 
   bool eval_g(Index, const Number* x, bool new_x, Index, Number* g) override {
     ++evaluations_.constraints;
-    const Eigen::VectorXd value = task_.problem.constraints().matrix * total(x, new_x);
-    std::copy_n(value.data(), rows_, g);
-    own_rows(x, g + rows_);
+    problem_rows(total(x, new_x), margin() ? x[n_] : 0, g);
+    own_rows(x, g + rows_.size());
     return true;
   }
 
   bool eval_jac_g(Index, const Number* x, bool new_x, Index, Index, Index* row, Index* column,
                   Number* values) override {
     if (!values) {
-      for (std::size_t r = 0; r < rows_; ++r)
-        for (std::size_t i = 0; i < n_; ++i) {
-          *row++ = static_cast<Index>(r);
-          *column++ = static_cast<Index>(i);
-        }
-      own_structure(static_cast<Index>(rows_), row, column);
+      const auto put = [&](std::size_t r, std::size_t c) {
+        *row++ = static_cast<Index>(r);
+        *column++ = static_cast<Index>(c);
+      };
+      for (std::size_t r = 0; r < rows_.size(); ++r)
+        for (std::size_t i = 0; i < n_; ++i) put(r, i);
+      if (margin())
+        for (std::size_t r = 0; r < rows_.size(); ++r) put(r, n_);
+      own_structure(static_cast<Index>(rows_.size()), row, column);
       return true;
     }
     ++evaluations_.jacobian;
     if (new_x) known_ = false;
-    task_.formulation.pull_back(variables(x), weights_, {values, rows_ * n_});
-    own_values(values + rows_ * n_);
+    // A support polygon may have more rows than a pull-back takes at once.
+    for (std::size_t r = 0; r < rows_.size(); r += Formulation::most_weights) {
+      const std::size_t count = std::min(rows_.size() - r, Formulation::most_weights);
+      task_.formulation.pull_back(variables(x), std::span(weights_).subspan(r, count), {values, count * n_});
+      values += count * n_;
+    }
+    if (margin())
+      for (const Row& r : rows_) *values++ = r.slope;
+    own_values(values);
     return true;
   }
 
@@ -86,7 +101,6 @@ class DirectNlp final : public Nlp {
     return total_;
   }
 
-  std::size_t rows_;
   std::vector<Moments> weights_;
   Moments total_ = Moments::Zero();
   bool known_ = false;

@@ -104,6 +104,8 @@ std::string message_of(Ipopt::ApplicationReturnStatus status) {
       return "restoration failed";
     case Ipopt::User_Requested_Stop:
       return "stopped by the user";
+    case Ipopt::Insufficient_Memory:
+      return "not enough memory";
     case Ipopt::Not_Enough_Degrees_Of_Freedom:
       return "too few degrees of freedom";
     default:
@@ -117,13 +119,21 @@ std::string message_of(Ipopt::ApplicationReturnStatus status) {
 /// parameter (0.1) and multipliers (1) take them to be about 1. Unscaled, the barrier drowns f for the first
 /// iterations and the last barrier parameter leaves a gap of n * 1e-9 / 1e-5. Ipopt's own scaling only
 /// shrinks.
+/// The margin has no slope in x; the constraints that bound it have.
 double natural_scale(const Task& task, const std::vector<double>& start, double reach) {
   const Moments s = task.mass.total(task.formulation.moments(start));
-  const Moments weight = task.mass.contrast * task.problem.gradient(s);
-  std::vector<double> gradient(start.size());
-  task.formulation.pull_back(start, {&weight, 1}, gradient);
+  std::vector<Moments> forms;
+  if (task.problem.goal() == Goal::margin)
+    for (const auto& row : task.problem.constraints().matrix.rowwise()) forms.emplace_back(row.transpose());
+  else
+    forms.push_back(task.problem.gradient(s));
   double largest = 0;
-  for (const double g : gradient) largest = std::max(largest, std::abs(g));
+  std::vector<double> gradient(start.size());
+  for (Moments& form : forms) {
+    form *= task.mass.contrast;
+    task.formulation.pull_back(start, {&form, 1}, gradient);
+    for (const double g : gradient) largest = std::max(largest, std::abs(g));
+  }
   return largest > 0 ? reach / largest : 1.0;
 }
 
@@ -138,7 +148,8 @@ Outcome solve_with_ipopt(const Task& task, const SolverOptions& options) {
   const bool linear = task.formulation.moments_are_linear();
   const Defaults defaults = defaults_for(linear, lifted);
   settings.insert(defaults.settings.begin(), defaults.settings.end());
-  const std::vector<double> start = task.formulation.start(options.start);
+  const std::vector<double> start =
+      options.from.empty() ? task.formulation.start(options.start) : options.from;
   const double reach = options.reach.value_or(defaults.reach);
   settings.insert({"obj_scaling_factor", fmt::format("{:.6g}", natural_scale(task, start, reach))});
   for (const auto& [name, value] : settings) set_option(*app, name, value);
@@ -160,7 +171,7 @@ Outcome solve_with_ipopt(const Task& task, const SolverOptions& options) {
   outcome.settings = settings;
   outcome.evaluations = nlp->evaluations();
   outcome.history = nlp->history();
-  outcome.x = nlp->solution().empty() ? task.formulation.start(options.start) : nlp->solution();
+  outcome.x = nlp->solution().empty() ? start : nlp->solution();
   outcome.moments = task.mass.total(task.formulation.moments(outcome.x));
   outcome.objective = task.problem.value(outcome.moments);
   outcome.violation = violation(task.problem, outcome.moments);

@@ -12,18 +12,20 @@ class LiftedNlp final : public Nlp {
  public:
   LiftedNlp(const Task& task, std::vector<double> start, bool convexify)
       : Nlp(task, std::move(start)), convexify_(convexify), linear_(task.formulation.moments_are_linear()) {
-    const auto& c = task.problem.constraints().matrix;
-    for (int r = 0; r < c.rows(); ++r)
-      for (int k = 0; k < c.cols(); ++k)
-        if (c(r, k) != 0) entries_.push_back({r, k, c(r, k)});
-    rows_ = static_cast<std::size_t>(c.rows());
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      const auto row = form(rows_[r]);
+      for (int k = 0; k < row.size(); ++k)
+        if (row[k] != 0) entries_.push_back({static_cast<int>(r), k, row[k]});
+      if (rows_[r].slope != 0)
+        entries_.push_back({static_cast<int>(r), static_cast<int>(ten), rows_[r].slope});
+    }
     for (std::size_t k = 0; k < ten; ++k)
       weights_.push_back(task.mass.contrast * Moments::Unit(static_cast<int>(k)));
   }
 
   bool get_nlp_info(Index& n, Index& m, Index& jac, Index& hess, IndexStyleEnum& style) override {
-    n = static_cast<Index>(n_ + ten);
-    m = static_cast<Index>(ten + rows_ + own_.lower.size());
+    n = static_cast<Index>(n_ + lifted_count());
+    m = static_cast<Index>(ten + rows_.size() + own_.lower.size());
     jac = static_cast<Index>(ten * n_ + ten + entries_.size() + own_.entries.size());
     hess = static_cast<Index>((linear_ ? 0 : n_) + ten * (ten + 1) / 2);
     style = C_STYLE;
@@ -32,14 +34,12 @@ class LiftedNlp final : public Nlp {
 
   bool get_bounds_info(Index, Number* x_l, Number* x_u, Index, Number* g_l, Number* g_u) override {
     fill_bounds(x_l, x_u);
-    std::fill_n(x_l + n_, ten, -infinity);
-    std::fill_n(x_u + n_, ten, infinity);
+    std::fill_n(x_l + n_, lifted_count(), -infinity);
+    std::fill_n(x_u + n_, lifted_count(), infinity);
     std::fill_n(g_l, ten, 0.0);
     std::fill_n(g_u, ten, 0.0);
-    const LinearConstraints& c = task_.problem.constraints();
-    std::copy_n(c.lower.data(), rows_, g_l + ten);
-    std::copy_n(c.upper.data(), rows_, g_u + ten);
-    own_row_bounds(g_l + ten + rows_, g_u + ten + rows_);
+    problem_row_bounds(g_l + ten, g_u + ten);
+    own_row_bounds(g_l + ten + rows_.size(), g_u + ten + rows_.size());
     return true;
   }
 
@@ -47,18 +47,23 @@ class LiftedNlp final : public Nlp {
     std::ranges::copy(start_, x);
     const Moments s = task_.mass.total(task_.formulation.moments(start_));
     std::copy_n(s.data(), ten, x + n_);
+    if (margin()) x[n_ + ten] = margin_at(s);
     return true;
   }
 
   bool eval_f(Index, const Number* x, bool, Number& value) override {
     ++evaluations_.objective;
-    value = task_.problem.value(lifted(x));
+    value = margin() ? x[n_ + ten] : task_.problem.value(lifted(x));
     return true;
   }
 
   bool eval_grad_f(Index, const Number* x, bool, Number* gradient) override {
     ++evaluations_.gradient;
-    std::fill_n(gradient, n_, 0.0);
+    std::fill_n(gradient, n_ + lifted_count(), 0.0);
+    if (margin()) {
+      gradient[n_ + ten] = 1;
+      return true;
+    }
     const Moments g = task_.problem.gradient(lifted(x));
     std::copy_n(g.data(), ten, gradient + n_);
     return true;
@@ -69,9 +74,8 @@ class LiftedNlp final : public Nlp {
     const Moments s = lifted(x);
     const Moments gap = task_.mass.total(task_.formulation.moments(variables(x))) - s;
     std::copy_n(gap.data(), ten, g);
-    const Eigen::VectorXd value = task_.problem.constraints().matrix * s;
-    std::copy_n(value.data(), rows_, g + ten);
-    own_rows(x, g + ten + rows_);
+    problem_rows(s, margin() ? x[n_ + ten] : 0, g + ten);
+    own_rows(x, g + ten + rows_.size());
     return true;
   }
 
@@ -87,7 +91,7 @@ class LiftedNlp final : public Nlp {
         for (std::size_t i = 0; i < n_; ++i) put(k, i);
       for (std::size_t k = 0; k < ten; ++k) put(k, n_ + k);
       for (const SparseRows::Entry& e : entries_) put(ten + e.row, static_cast<std::size_t>(s + e.column));
-      own_structure(static_cast<Index>(ten + rows_), row, column);
+      own_structure(static_cast<Index>(ten + rows_.size()), row, column);
       return true;
     }
     ++evaluations_.jacobian;
@@ -124,20 +128,19 @@ class LiftedNlp final : public Nlp {
         for (std::size_t i = 0; i < n_; ++i) values[i] = std::max(values[i], 0.0);
       values += n_;
     }
-    const Matrix10 h = factor * task_.problem.hessian(lifted(x));
+    // The margin is linear in t; the structure is kept, its ten by ten entries are zero.
+    const Matrix10 h = margin() ? Matrix10::Zero() : Matrix10(factor * task_.problem.hessian(lifted(x)));
     for (int a = 0; a < h.rows(); ++a)
       for (int b = 0; b <= a; ++b) *values++ = h(a, b);
     return true;
   }
 
  private:
-  static constexpr double infinity = 2e19;  // Ipopt's nlp_upper_bound_inf is 1e19
-
+  [[nodiscard]] std::size_t lifted_count() const { return margin() ? ten + 1 : ten; }
   [[nodiscard]] Moments lifted(const Number* x) const { return Eigen::Map<const Moments>(x + n_); }
 
   bool convexify_, linear_;
-  std::size_t rows_ = 0;
-  std::vector<SparseRows::Entry> entries_;  ///< non-zeros of C
+  std::vector<SparseRows::Entry> entries_;  ///< non-zeros of the problem's rows in (s, t)
   std::vector<Moments> weights_;
   std::vector<double> constant_;  ///< ds/dx of a linear formulation
 };

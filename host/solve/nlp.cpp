@@ -1,10 +1,47 @@
 #include "solve/nlp.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solve/interrupt.hpp"
 
 namespace kreisel {
+
+Nlp::Nlp(const Task& task, std::vector<double> start)
+    : task_(task),
+      n_(task.formulation.num_variables()),
+      start_(std::move(start)),
+      own_(task.formulation.own_constraints()) {
+  const LinearConstraints& c = task.problem.constraints();
+  for (Eigen::Index r = 0; r < c.matrix.rows(); ++r) {
+    if (!margin()) {
+      rows_.push_back({r, 0, c.lower[r], c.upper[r]});
+      continue;
+    }
+    if (std::isfinite(c.upper[r])) rows_.push_back({r, -1, -infinity, c.upper[r]});
+    if (std::isfinite(c.lower[r])) rows_.push_back({r, 1, c.lower[r], infinity});
+  }
+}
+
+void Nlp::problem_row_bounds(Number* lower, Number* upper) const {
+  for (const Row& row : rows_) {
+    *lower++ = std::max(row.lower, -infinity);
+    *upper++ = std::min(row.upper, infinity);
+  }
+}
+
+void Nlp::problem_rows(const Moments& s, double t, Number* g) const {
+  for (const Row& row : rows_) *g++ = form(row).dot(s) + row.slope * t;
+}
+
+double Nlp::margin_at(const Moments& s) const {
+  double t = -infinity;
+  for (const Row& row : rows_) {
+    const double value = form(row).dot(s);
+    t = std::max(t, row.slope < 0 ? value - row.upper : row.lower - value);
+  }
+  return t;
+}
 
 bool Nlp::intermediate_callback(Ipopt::AlgorithmMode, Index iteration, Number objective, Number inf_pr,
                                 Number inf_du, Number mu, Number, Number regularization, Number, Number,

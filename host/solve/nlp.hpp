@@ -9,17 +9,17 @@
 
 namespace kreisel {
 
-/// Bookkeeping of a solve: start point, iterates, final x. The forms add functions and derivatives.
+/// Bookkeeping of a solve: start point, iterates, final x, and the problem's constraints as rows. The forms
+/// add functions and derivatives.
+///
+/// When the goal is the margin there is one variable more, t, the last; it is the objective, and each bound
+/// of a constraint is a row of its own: C s - t <= u and C s + t >= l.
 class Nlp : public Ipopt::TNLP {
  public:
   using Index = Ipopt::Index;
   using Number = Ipopt::Number;
 
-  Nlp(const Task& task, std::vector<double> start)
-      : task_(task),
-        n_(task.formulation.num_variables()),
-        start_(std::move(start)),
-        own_(task.formulation.own_constraints()) {}
+  Nlp(const Task& task, std::vector<double> start);
 
   [[nodiscard]] const std::vector<double>& solution() const { return solution_; }
   [[nodiscard]] const Evaluations& evaluations() const { return evaluations_; }
@@ -34,6 +34,21 @@ class Nlp : public Ipopt::TNLP {
                          const Ipopt::IpoptData* data, Ipopt::IpoptCalculatedQuantities* quantities) override;
 
  protected:
+  /// One row of the problem: lower <= C_r s + slope t <= upper.
+  struct Row {
+    Eigen::Index constraint;
+    double slope, lower, upper;  ///< slope is 0 unless the goal is the margin
+  };
+  static constexpr double infinity = 2e19;  // Ipopt's nlp_upper_bound_inf is 1e19
+
+  [[nodiscard]] bool margin() const { return task_.problem.goal() == Goal::margin; }
+  [[nodiscard]] auto form(const Row& row) const {
+    return task_.problem.constraints().matrix.row(row.constraint);
+  }
+  void problem_row_bounds(Number* lower, Number* upper) const;
+  void problem_rows(const Moments& s, double t, Number* g) const;
+  /// The smallest t that the start allows.
+  [[nodiscard]] double margin_at(const Moments& s) const;
   [[nodiscard]] std::span<const double> variables(const Number* x) const { return {x, n_}; }
   void fill_bounds(Number* lower, Number* upper) const;
   /// Structure and values of the formulation's own rows, the first of which is `row`; returns how many were
@@ -46,6 +61,7 @@ class Nlp : public Ipopt::TNLP {
   Task task_;
   std::size_t n_;
   std::vector<double> start_;
+  std::vector<Row> rows_;
   SparseRows own_;
   Evaluations evaluations_;
 

@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "error.hpp"
+#include "parse.hpp"
 #include "solve/ipopt.hpp"
 
 namespace kreisel {
@@ -27,6 +27,15 @@ std::string_view to_string(Termination termination) {
   return "failed";
 }
 
+Evaluations& Evaluations::operator+=(const Evaluations& other) {
+  objective += other.objective;
+  gradient += other.gradient;
+  constraints += other.constraints;
+  jacobian += other.jacobian;
+  hessian += other.hessian;
+  return *this;
+}
+
 SolverOptions parse_solver_options(const std::map<std::string, std::string>& settings) {
   SolverOptions options;
   for (const auto& [name, value] : settings) {
@@ -35,9 +44,8 @@ SolverOptions parse_solver_options(const std::map<std::string, std::string>& set
     else if (name == "curvature" && (value == "convex" || value == "full"))
       options.convexify = value == "convex";
     else if (name == "reach") {
-      const auto [end, status] =
-          std::from_chars(value.data(), value.data() + value.size(), options.reach.emplace());
-      if (status != std::errc() || end != value.data() + value.size() || !(*options.reach > 0))
+      options.reach = parse<double>(value);
+      if (!options.reach || !(*options.reach > 0))
         throw InputError(fmt::format("solver.reach = {}; expected a number > 0", value));
     } else
       throw InputError(fmt::format(
@@ -70,6 +78,40 @@ const SolverEntry& find_solver(std::string_view name, std::string_view formulati
     names.push_back(entry.name);
   }
   throw InputError(fmt::format("solver '{}' is unknown; expected one of: {}", name, fmt::join(names, ", ")));
+}
+
+Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& options) {
+  Outcome outcome = solver.solve(task, options);
+  SolverOptions onward = options;
+  // Dinkelbach's steps are superlinear: a handful. The limit only keeps a solver that fails to converge from
+  // going round in circles.
+  constexpr int most_steps = 50;
+  std::unique_ptr<Problem> problem = task.problem.next(outcome.moments);
+  while (problem && outcome.steps < most_steps &&
+         (outcome.termination == Termination::optimal || outcome.termination == Termination::acceptable)) {
+    onward.from = outcome.x;
+    Outcome step = solver.solve({*problem, task.formulation, task.mass, task.device}, onward);
+    step.steps = outcome.steps + 1;
+    step.iterations += outcome.iterations;
+    step.kernel_seconds += outcome.kernel_seconds;
+    step.solve_seconds += outcome.solve_seconds;
+    step.evaluations += outcome.evaluations;
+    step.history.insert(step.history.begin(), outcome.history.begin(), outcome.history.end());
+    outcome = std::move(step);
+    problem = problem->next(outcome.moments);
+  }
+  // A margin can always be found; whether it is enough is another question. Solvers meet 1e-9.
+  constexpr double met = 1e-6;
+  if (task.problem.goal() == Goal::margin && outcome.violation > met &&
+      (outcome.termination == Termination::optimal || outcome.termination == Termination::acceptable)) {
+    outcome.termination = Termination::infeasible;
+    outcome.message = fmt::format("the constraints are missed by {:.2e} at the least", outcome.violation);
+  }
+  if (outcome.steps > 1) {  // judged by the problem that was asked
+    outcome.objective = task.problem.value(outcome.moments);
+    outcome.message += fmt::format(", {} steps", outcome.steps);
+  }
+  return outcome;
 }
 
 }  // namespace kreisel

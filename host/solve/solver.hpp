@@ -29,6 +29,8 @@ struct Iterate {
 /// How often each callback ran.
 struct Evaluations {
   int objective = 0, gradient = 0, constraints = 0, jacobian = 0, hessian = 0;
+
+  Evaluations& operator+=(const Evaluations& other);
 };
 
 /// The full summary of a solve. Body units.
@@ -44,6 +46,7 @@ struct Outcome {
   double kernel_seconds = 0, solve_seconds = 0;        ///< the first is part of the second
   Evaluations evaluations;
   std::vector<Iterate> history;
+  int steps = 1;  ///< problems solved in sequence (Problem::next); iterations and seconds are of all of them
   std::map<std::string, std::string> settings;  ///< the solver's own options as they were in force
 };
 
@@ -57,6 +60,7 @@ struct Task {
 
 struct SolverOptions {
   Start start = Start::middle;
+  std::vector<double> from;  ///< variables to start from; empty: `start`
   /// Drop the negative curvature of the moments: the model of every variable stays convex.
   bool convexify = true;
   /// Largest derivative of the scaled objective at the start, > 0; empty: what suits the formulation.
@@ -80,5 +84,9 @@ struct SolverEntry {
 
 /// @throws InputError  unknown solver, or one that cannot work with the formulation
 [[nodiscard]] const SolverEntry& find_solver(std::string_view name, std::string_view formulation);
+
+/// Solves the task, and then whatever Problem::next() asks for, each step from the variables of the one
+/// before. Iterations, evaluations, seconds and history are of all steps, the rest of the last.
+[[nodiscard]] Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& options);
 
 }  // namespace kreisel

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 #include <string>
 
@@ -211,15 +210,15 @@ TEST(SpinVerdict, EveryFailureIsNamed) {
 
 TEST(MakeProblem, TakesItsSettings) {
   const Moments s = box_moments({0, 0, 1}, {2, 2, 0.25});
-  const auto plain = make_problem("spin", {});
+  const auto plain = make_problem("spin", {}, Body{});
   EXPECT_EQ(plain->name(), "spin");
-  const auto both = make_problem("spin", {{"lambda", 0.5}, {"gamma_i", 2}});
+  const auto both = make_problem("spin", {{"lambda", "0.5"}, {"gamma_i", "2"}}, Body{});
   EXPECT_NEAR(both->value(s), 2 * plain->value(s) + 0.5, 64 * 0x1p-53);
 }
 
 void refuses(const std::string& name, const ProblemSettings& settings, const std::string& part) {
   try {
-    (void)make_problem(name, settings);
+    (void)make_problem(name, settings, Body{});
     FAIL() << "accepted; expected: " << part;
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
@@ -229,10 +228,10 @@ void refuses(const std::string& name, const ProblemSettings& settings, const std
 
 TEST(MakeProblem, RefusesUnknownNamesAndUnfitSettings) {
   refuses("spinn", {}, "problem 'spinn' is unknown; expected one of: spin");
-  refuses("spin", {{"lamda", 1}}, "problem.lamda = 1 for spin");
-  refuses("spin", {{"lambda", -1}}, "problem.lambda = -1 for spin");
-  refuses("spin", {{"gamma_i", 0}}, "problem.gamma_i = 0 for spin");
-  refuses("spin", {{"lambda", std::numeric_limits<double>::quiet_NaN()}}, "problem.lambda = nan");
+  refuses("spin", {{"lamda", "1"}}, "problem.lamda = 1 for spin");
+  refuses("spin", {{"lambda", "-1"}}, "problem.lambda = -1 for spin");
+  refuses("spin", {{"gamma_i", "0"}}, "problem.gamma_i = 0 for spin");
+  refuses("spin", {{"lambda", "nan"}}, "problem.lambda = nan");
 }
 
 }  // namespace

@@ -27,8 +27,10 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
   fmt::print("  domain     columns {} x {} x {} of {:.4g} mm, wall {} = {:.4g} mm: {} rays, {} voxels\n",
              r.grid.n[0], r.grid.n[1], r.grid.n[2], r.grid.h * r.length_mm, to_string(r.config.wall),
              r.wall * r.length_mm, r.rays, r.interior_voxels);
+  if (!r.scope.empty()) fmt::print("  possible   {}\n", r.scope);
   fmt::print("  solve      {} ({}), {} iterations, {} variables\n", to_string(o.termination), o.message,
              o.iterations, r.variables);
+  if (!r.infeasibility.empty()) fmt::print("  infeasible {}\n", r.infeasibility);
   fmt::print("  time       {:.3f} s solve ({:.3f} s in kernels), {:.3f} s set-up; median of {}\n",
              r.median.solve, r.median.kernels, r.median.setup, r.samples.size());
   fmt::print("  objective  {:.6f} (the solid body: {:.6f}); violation {:.1e}\n", o.objective,

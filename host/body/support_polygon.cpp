@@ -1,0 +1,82 @@
+#include "body/support_polygon.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "error.hpp"
+
+namespace kreisel {
+namespace {
+
+double cross(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// One chain of the hull, points sorted; keeps left turns only. [Andrew 1979, monotone chain]
+template <class Range>
+std::vector<Vec2> chain(const Range& sorted, double negligible) {
+  std::vector<Vec2> out;
+  for (const Vec2& p : sorted) {
+    while (out.size() >= 2 && cross(out.back() - out[out.size() - 2], p - out.back()) <= negligible)
+      out.pop_back();
+    out.push_back(p);
+  }
+  return out;
+}
+
+}  // namespace
+
+double SupportPolygon::inside(const Vec2& p) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Edge& e : edges) least = std::min(least, e.d - e.n.dot(p));
+  return least;
+}
+
+SupportPolygon hull_of(std::vector<Vec2> points) {
+  SupportPolygon polygon;
+  if (points.size() < 3) return polygon;
+  std::ranges::sort(
+      points, [](const Vec2& a, const Vec2& b) { return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]); });
+  // Corners that stick out by round-off of a flat base's coordinates are none.
+  const double size = (points.back() - points.front()).norm();
+  const double negligible = 1e-12 * size * size;
+  std::vector<Vec2> lower = chain(points, negligible);
+  std::ranges::reverse(points);
+  const std::vector<Vec2> upper = chain(points, negligible);
+  lower.pop_back();
+  lower.insert(lower.end(), upper.begin(), upper.end() - 1);
+  if (lower.size() < 3) return polygon;
+
+  const Vec2 first = lower.front();
+  for (std::size_t i = 0; i < lower.size(); ++i) {
+    const Vec2 &a = lower[i], &b = lower[(i + 1) % lower.size()];
+    const double twice = cross(a - first, b - first);
+    polygon.area += twice / 2;
+    polygon.centroid += twice / 6 * (a - first + b - first);
+    const Vec2 along = (b - a).normalized(), n(along[1], -along[0]);
+    polygon.edges.push_back({n, n.dot(a)});
+  }
+  polygon.centroid = first + polygon.centroid / polygon.area;
+  polygon.corners = std::move(lower);
+  return polygon;
+}
+
+SupportPolygon support_polygon(const Body& body, double tolerance) {
+  const Box box = bounding_box(body.local);
+  const double ground = box.lo[2] + tolerance * box.extent()[2];
+  std::vector<Vec2> touching;
+  for (const Vec3& v : body.local.vertices)
+    if (v[2] <= ground) touching.emplace_back(v.head<2>());
+  const std::size_t count = touching.size();
+  SupportPolygon polygon = hull_of(std::move(touching));
+  // A hundredth of a body length across is the least that anything can be stood on.
+  if (polygon.corners.empty() || polygon.area < 1e-4)
+    throw InputError(fmt::format(
+        "{} has no base to stand on: {} of its vertices lie within {:.3g} % of its height above the ground "
+        "and span {:.2g} mm^2; expected three or more corners that span an area (try another --up, or a "
+        "larger --set problem.base=SHARE%)",
+        body.name, count, 100 * tolerance, polygon.area * body.frame.length * body.frame.length));
+  return polygon;
+}
+
+}  // namespace kreisel

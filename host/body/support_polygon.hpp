@@ -1,0 +1,37 @@
+// support_polygon.hpp - what a body stands on.
+#pragma once
+
+#include <vector>
+
+#include "body/body.hpp"
+
+namespace kreisel {
+
+using Vec2 = Eigen::Vector2d;
+
+/// Convex hull, counter-clockwise seen from above, of the vertices near the ground. Body frame and units.
+struct SupportPolygon {
+  /// n . p <= d inside; n is the unit outward normal of the edge.
+  struct Edge {
+    Vec2 n;
+    double d;
+  };
+
+  std::vector<Vec2> corners;  ///< at least three, no three on a line
+  std::vector<Edge> edges;    ///< edge i runs from corner i to corner i + 1
+  double area = 0;
+  Vec2 centroid = Vec2::Zero();  ///< of the area
+
+  /// Distance of p from the nearest edge's line; negative outside.
+  [[nodiscard]] double inside(const Vec2& p) const;
+};
+
+/// @param tolerance  share of the body's height: vertices that near to the lowest touch the ground
+/// @throws InputError  fewer than three such vertices, or all on a line: the body stands on a point or an
+/// edge
+[[nodiscard]] SupportPolygon support_polygon(const Body& body, double tolerance = 1e-3);
+
+/// The hull of any points; no corners when they have no area.
+[[nodiscard]] SupportPolygon hull_of(std::vector<Vec2> points);
+
+}  // namespace kreisel

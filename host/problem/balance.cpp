@@ -1,0 +1,68 @@
+#include "problem/balance.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "error.hpp"
+#include "parse.hpp"
+
+namespace kreisel {
+
+Balance::Balance(const Vec3& point, const std::optional<Vec3>& direction)
+    : point_(point), direction_(direction) {
+  std::vector<Vec3> across = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  if (direction_) {
+    direction_->normalize();
+    const Vec3 first = direction_->unitOrthogonal();
+    across = {first, direction_->cross(first)};
+  }
+  const auto rows = static_cast<Eigen::Index>(across.size());
+  constraints_.matrix.setZero(rows, 10);
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    const Vec3& e = across[static_cast<std::size_t>(r)];
+    constraints_.matrix.row(r).segment<3>(SX) = e.transpose();
+    constraints_.matrix(r, S1) = -e.dot(point);
+    constraints_.names.push_back(fmt::format("centre of mass along {:.3f},{:.3f},{:.3f}", e[0], e[1], e[2]));
+  }
+  constraints_.lower = constraints_.upper = Eigen::VectorXd::Zero(rows);
+}
+
+Verdict Balance::verify(const Moments& s, double length_mm) const {
+  Vec3 off = centre_of_mass(s) - point_;
+  if (direction_) off -= off.dot(*direction_) * *direction_;
+  Verdict verdict;
+  verdict.ok = off.norm() <= 1e-3;
+  verdict.values = {{"offset", off.norm()},
+                    {"offset_mm", off.norm() * length_mm},
+                    {"mass_share", s[S1]},
+                    {"objective", value(s)}};
+  verdict.text =
+      fmt::format("{}: centre of mass {:.3f} mm ({:.1e} L) off the {}, with {:.1f} % of the material",
+                  verdict.ok ? "balances" : "does not balance", off.norm() * length_mm, off.norm(),
+                  direction_ ? "line" : "point", 100 * s[S1]);
+  return verdict;
+}
+
+std::unique_ptr<Problem> make_balance(const ProblemSettings& settings, const Body& body) {
+  std::optional<Vec3> point, line;
+  for (const auto& [name, text] : settings) {
+    const auto vector = parse_vector(text);
+    if (name == "point" && vector)
+      point = vector;
+    else if (name == "line" && vector && vector->norm() > 0)
+      line = vector;
+    else
+      throw InputError(fmt::format(
+          "problem.{} = {} for balance; expected point = x,y,z (mm) or line = x,y,z (not zero)", name, text));
+  }
+  if (!point)
+    throw InputError(
+        "balance needs to know where; expected --set problem.point=x,y,z (mm, model coordinates)");
+  std::optional<Vec3> direction;
+  if (line) direction = body.frame.rotation * *line;
+  return std::make_unique<Balance>(body.frame.to_body(*point), direction);
+}
+
+}  // namespace kreisel

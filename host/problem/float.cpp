@@ -1,0 +1,131 @@
+#include "problem/float.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "error.hpp"
+#include "parse.hpp"
+
+namespace kreisel {
+
+Float::Float(const Draft& draft) : draft_(draft) {
+  constraints_.matrix.setZero(3, 10);
+  constraints_.matrix(0, S1) = constraints_.matrix(1, SX) = constraints_.matrix(2, SY) = 1;
+  const Vec3& cb = draft.water.centre_of_buoyancy;
+  constraints_.lower = constraints_.upper =
+      Eigen::Vector3d(draft.mass, cb[0] * draft.mass, cb[1] * draft.mass);
+  constraints_.names = {"mass = displaced mass", "cx over the centre of buoyancy",
+                        "cy over the centre of buoyancy"};
+}
+
+Moments Float::gradient(const Moments&) const { return Moments::Unit(SZ) / draft_.mass; }
+
+std::string Float::scope(const MassModel& mass) const {
+  // Solid, the part weighs 1 in solid masses; hollowed out altogether, mass.fixed. Either scales with
+  // density.
+  const double shell = mass.fixed[S1];
+  return fmt::format(
+      "at this draft with a material of {:.3g} to {:.3g} g/cm^3, at some draft with up to {:.3g} g/cm^3 "
+      "(here "
+      "{:.3g})",
+      draft_.density * draft_.mass, draft_.density * draft_.mass / shell, draft_.fluid / shell,
+      draft_.density);
+}
+
+Verdict Float::verify(const Moments& s, double length_mm) const {
+  const Vec3 c = centre_of_mass(s);
+  const Hydrostatics& water = draft_.water;
+  const double excess = s[S1] / draft_.mass - 1;
+  const double offset = (c - water.centre_of_buoyancy).head<2>().norm();
+  const double gm = water.metacentre() - c[2];
+  const bool afloat = std::abs(excess) <= 1e-3, above = offset <= 1e-3, stable = gm > 0;
+  // For small angles the righting arm is GM sin(heel): the heel at which it takes up the offset.
+  const double heel = stable ? std::atan(offset / gm) * 180 / std::numbers::pi : NAN;
+
+  Verdict verdict;
+  verdict.ok = afloat && above && stable;
+  verdict.values = {{"excess_mass", excess},
+                    {"offset_mm", offset * length_mm},
+                    {"metacentric_height_mm", gm * length_mm},
+                    {"heel_degrees", heel},
+                    {"centre_of_mass_z_mm", c[2] * length_mm},
+                    {"draft_mm", water.waterline * length_mm},
+                    {"displaced_mm3", water.volume * std::pow(length_mm, 3)},
+                    {"centre_of_buoyancy_z_mm", water.centre_of_buoyancy[2] * length_mm},
+                    {"waterplane_mm2", water.waterplane_area * length_mm * length_mm},
+                    {"objective", value(s)}};
+  const std::string where = fmt::format(
+      "mass {:+.3f} % of the displaced water's, centre of mass {:.3f} mm from the vertical through the "
+      "centre of "
+      "buoyancy, metacentric height {:.3f} mm",
+      100 * excess, offset * length_mm, gm * length_mm);
+  if (verdict.ok) {
+    verdict.text = fmt::format("floats: {}; heels {:.2f} degrees at rest", where, heel);
+    return verdict;
+  }
+  std::vector<std::string_view> reasons;
+  if (!afloat) reasons.push_back(excess > 0 ? "too heavy" : "too light");
+  if (!above) reasons.push_back("centre of mass beside the centre of buoyancy by more than 1e-3 L");
+  if (!stable) reasons.push_back("centre of mass above the metacentre");
+  verdict.text = fmt::format("does not float upright ({}): {}", fmt::join(reasons, "; "), where);
+  return verdict;
+}
+
+namespace {
+
+/// Waterline for `text`, body frame. @param fluid  g/cm^3
+double waterline_for(const std::string& text, const Body& body, double fluid) {
+  const Box box = bounding_box(body.local);
+  const double height = box.extent()[2];
+  if (const auto share = parse_with_unit(text, "%"); share && *share > 0 && *share <= 100)
+    return box.lo[2] + *share / 100 * height;
+  if (text == "solid" || parse_with_unit(text, "g")) {
+    const double grams = text == "solid" ? body.mass_grams() : *parse_with_unit(text, "g");
+    const double most = fluid / body.density * body.mass_grams();
+    if (!(grams > 0 && grams < most))
+      throw InputError(
+          fmt::format("problem.draft = {}: {} sinks, for {:.4g} g weigh more than the {:.4g} g of fluid that "
+                      "it displaces "
+                      "when submerged",
+                      text, body.name, grams, most));
+    return waterline_of(body.local, body.solid[S1] * grams / most);
+  }
+  const auto depth = parse<double>(text.ends_with("mm") ? text.substr(0, text.size() - 2) : text);
+  if (depth && *depth > 0 && *depth <= height * body.frame.length)
+    return box.lo[2] + *depth / body.frame.length;
+  throw InputError(
+      fmt::format("problem.draft = {}; expected a share of the height such as 60%, a depth up to {:.4g} mm, "
+                  "a mass such as "
+                  "40g, or solid",
+                  text, height * body.frame.length));
+}
+
+}  // namespace
+
+std::unique_ptr<Problem> make_float(const ProblemSettings& settings, const Body& body) {
+  std::string draft = "60%";
+  double fluid = 1;
+  for (const auto& [name, text] : settings) {
+    if (name == "draft")
+      draft = text;
+    else if (name == "fluid_density" && parse<double>(text).value_or(0) > 0)
+      fluid = *parse<double>(text);
+    else
+      throw InputError(fmt::format(
+          "problem.{} = {} for float; expected draft = 60% (or mm, or grams), or fluid_density > 0 g/cm^3",
+          name, text));
+  }
+  Draft result;
+  result.water = hydrostatics(body.local, waterline_for(draft, body, fluid));
+  result.fluid = fluid;
+  result.density = body.density;
+  // A body unit of volume is the solid's own, and so is a unit of mass.
+  result.mass = fluid / body.density * result.water.volume;
+  return std::make_unique<Float>(result);
+}
+
+}  // namespace kreisel

@@ -1,0 +1,50 @@
+// float.hpp - the floating problem. [RayRep, eq. 3-5]
+#pragma once
+
+#include "body/hydrostatics.hpp"
+#include "problem/problem.hpp"
+
+namespace kreisel {
+
+/// The water a body floats in, and how deep.
+struct Draft {
+  Hydrostatics water;             ///< body frame and units
+  double mass = 0;                ///< of the displaced fluid, in solid masses: what the part must weigh
+  double fluid = 1, density = 1;  ///< of the fluid and of the material, g/cm^3
+};
+
+/// Minimise c_z with the centre of mass over the centre of buoyancy and the part's mass that of the water it
+/// displaces: sx = c_bx m_b, sy = c_by m_b, s1 = m_b. All linear: the optimal cavity is what lies above a
+/// plane, so rays are filled from below.
+class Float final : public Problem {
+ public:
+  explicit Float(const Draft& draft);
+
+  [[nodiscard]] std::string_view name() const override { return "float"; }
+  [[nodiscard]] Convexity convexity() const override { return Convexity::linear; }
+  [[nodiscard]] Traits traits() const override { return {Filling::from_below}; }
+  [[nodiscard]] double value(const Moments& s) const override { return s[SZ] / draft_.mass; }
+  [[nodiscard]] Moments gradient(const Moments&) const override;
+  [[nodiscard]] Matrix10 hessian(const Moments&) const override { return Matrix10::Zero(); }
+  [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
+
+  /// The densities with which the body can float at this draft, and at any.
+  [[nodiscard]] std::string scope(const MassModel& mass) const override;
+
+  /// Floats upright when mass and displaced mass agree to 1e-3, the centre of mass is within 1e-3 L of the
+  /// vertical through the centre of buoyancy, and it lies below the metacentre.
+  [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override;
+
+ private:
+  Draft draft_;
+  LinearConstraints constraints_;
+};
+
+/// settings  draft         = 60% (of the height; default) | depth in mm | mass in grams, such as 40g | solid
+/// (as
+///                           deep as the solid body sinks)
+///           fluid_density = g/cm^3, default 1
+/// @throws InputError  another setting, a draft outside the body, or a mass that displaces more than the body
+std::unique_ptr<Problem> make_float(const ProblemSettings& settings, const Body& body);
+
+}  // namespace kreisel

@@ -1,0 +1,176 @@
+#include "problem/stand.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "error.hpp"
+#include "parse.hpp"
+
+namespace kreisel {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Verdict verdict_of(const Base& base, const Moments& s, double length_mm, double objective) {
+  const Vec3 c = centre_of_mass(s);
+  const double inside = base.polygon.inside(c.head<2>());
+  const double tilt = std::atan(base.tangent(c)) * 180 / std::numbers::pi;
+  Verdict verdict;
+  verdict.ok = inside > 0;
+  verdict.values = {{"inside_mm", inside * length_mm},
+                    {"off_centroid_mm", (c.head<2>() - base.polygon.centroid).norm() * length_mm},
+                    {"tilt_degrees", tilt},
+                    {"centre_of_mass_z_mm", (c[2] - base.ground) * length_mm},
+                    {"height_share", (c[2] - base.ground) / base.height},
+                    {"base_area_mm2", base.polygon.area * length_mm * length_mm},
+                    {"objective", objective}};
+  const std::string how = fmt::format(
+      "centre of mass {:.3f} mm {} the base, at {:.1f} % of the height", std::abs(inside) * length_mm,
+      verdict.ok ? "inside the edge of" : "outside", 100 * (c[2] - base.ground) / base.height);
+  verdict.text = verdict.ok ? fmt::format("stands: {}; topples at a tilt of {:.2f} degrees", how, tilt)
+                            : fmt::format("does not stand: {}", how);
+  return verdict;
+}
+
+}  // namespace
+
+Stand::Stand(Base base, std::optional<double> margin) : base_(std::move(base)) {
+  LinearConstraints& c = constraints_;
+  if (!margin) {
+    c.matrix.setZero(2, 10);
+    c.matrix(0, SX) = c.matrix(1, SY) = 1;
+    c.matrix(0, S1) = -base_.polygon.centroid[0];
+    c.matrix(1, S1) = -base_.polygon.centroid[1];
+    c.lower = c.upper = Eigen::Vector2d::Zero();
+    c.names = {"cx over the base's centroid", "cy over the base's centroid"};
+    return;
+  }
+  const auto rows = static_cast<Eigen::Index>(base_.polygon.edges.size());
+  c.matrix.setZero(rows, 10);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const SupportPolygon::Edge& e = base_.polygon.edges[static_cast<std::size_t>(i)];
+    c.matrix(i, SX) = e.n[0];
+    c.matrix(i, SY) = e.n[1];
+    c.matrix(i, S1) = *margin - e.d;
+    c.names.push_back(fmt::format("inside edge {} of the base", i));
+  }
+  c.lower.setConstant(rows, -infinity);
+  c.upper.setZero(rows);
+}
+
+Moments Stand::gradient(const Moments& s) const {
+  Moments g = Moments::Zero();
+  g[SZ] = 1 / s[S1];
+  g[S1] = -s[SZ] / (s[S1] * s[S1]);
+  return g;
+}
+
+Matrix10 Stand::hessian(const Moments& s) const {
+  Matrix10 h = Matrix10::Zero();
+  const double m = s[S1];
+  h(S1, SZ) = h(SZ, S1) = -1 / (m * m);
+  h(S1, S1) = 2 * s[SZ] / (m * m * m);
+  return h;
+}
+
+Verdict Stand::verify(const Moments& s, double length_mm) const {
+  return verdict_of(base_, s, length_mm, value(s));
+}
+
+MaxTilt::MaxTilt(Base base, double tau) : base_(std::move(base)), tau_(tau) {
+  const auto rows = static_cast<Eigen::Index>(base_.polygon.edges.size());
+  constraints_.matrix.setZero(rows, 10);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const SupportPolygon::Edge& e = base_.polygon.edges[static_cast<std::size_t>(i)];
+    constraints_.matrix(i, SX) = e.n[0];
+    constraints_.matrix(i, SY) = e.n[1];
+    constraints_.matrix(i, SZ) = tau;
+    constraints_.matrix(i, S1) = -e.d - tau * base_.ground;
+    constraints_.names.push_back(fmt::format("tilt over edge {} of the base", i));
+  }
+  constraints_.lower.setConstant(rows, -infinity);
+  constraints_.upper.setZero(rows);
+}
+
+const SupportPolygon::Edge& MaxTilt::nearest(const Moments& s) const {
+  const Vec3 c = centre_of_mass(s);
+  return *std::ranges::min_element(base_.polygon.edges, {},
+                                   [&](const SupportPolygon::Edge& e) { return e.d - e.n.dot(c.head<2>()); });
+}
+
+Moments MaxTilt::height_form() const { return Moments::Unit(SZ) - base_.ground * Moments::Unit(S1); }
+
+double MaxTilt::value(const Moments& s) const { return -base_.tangent(centre_of_mass(s)); }
+
+Moments MaxTilt::gradient(const Moments& s) const {
+  // f = (n . s_xy - d s1) / h,  h = sz - ground s1
+  const SupportPolygon::Edge& e = nearest(s);
+  Moments g = Moments::Zero();
+  g[SX] = e.n[0];
+  g[SY] = e.n[1];
+  g[S1] = -e.d;
+  return (g - value(s) * height_form()) / height_form().dot(s);
+}
+
+Matrix10 MaxTilt::hessian(const Moments& s) const {
+  const Moments g = gradient(s), h = height_form();
+  return -(g * h.transpose() + h * g.transpose()) / h.dot(s);
+}
+
+std::unique_ptr<Problem> MaxTilt::next(const Moments& s) const {
+  const double reached = -value(s);
+  // Superlinear: a step that gains a millionth is followed by one that gains nothing.
+  if (reached <= tau_ + 1e-6 * (1 + std::abs(tau_))) return nullptr;
+  return std::make_unique<MaxTilt>(base_, reached);
+}
+
+Verdict MaxTilt::verify(const Moments& s, double length_mm) const {
+  return verdict_of(base_, s, length_mm, value(s));
+}
+
+std::unique_ptr<Problem> make_stand(const ProblemSettings& settings, const Body& body) {
+  std::string target = "centre";
+  std::optional<double> margin_mm;
+  double tolerance = 1e-3;
+  for (const auto& [name, text] : settings) {
+    const auto refuse = [&, name = name, text = text](const char* expected) {
+      throw InputError(fmt::format("problem.{} = {} for stand; expected {}", name, text, expected));
+    };
+    if (name == "target") {
+      if (text != "centre" && text != "inside" && text != "max-tilt") refuse("centre, inside or max-tilt");
+      target = text;
+    } else if (name == "margin") {
+      margin_mm = parse<double>(text);
+      if (!margin_mm || *margin_mm < 0) refuse("millimetres >= 0");
+    } else if (name == "base") {
+      tolerance = parse_with_unit(text, "%").value_or(-1) / 100;
+      if (!(tolerance >= 0 && tolerance < 1)) refuse("a share of the height such as 0.1%");
+    } else {
+      refuse("target, margin or base");
+    }
+  }
+  if (margin_mm && target != "inside")
+    throw InputError(
+        fmt::format("problem.margin = {} for target {}; expected target = inside", *margin_mm, target));
+  const Box box = bounding_box(body.local);
+  Base base{support_polygon(body, tolerance), box.lo[2], box.extent()[2]};
+  if (target == "max-tilt") {
+    // From the solid's own tilt; a solid that falls over starts at none, where its problem is still convex.
+    const double tau = std::max(0.0, base.tangent(centre_of_mass(body.solid)));
+    return std::make_unique<MaxTilt>(std::move(base), tau);
+  }
+  if (target == "centre") return std::make_unique<Stand>(std::move(base), std::nullopt);
+  const double most = base.polygon.inside(base.polygon.centroid);
+  const double margin = margin_mm ? *margin_mm / body.frame.length : std::min(0.01, most / 2);
+  if (margin >= most && margin_mm)
+    throw InputError(
+        fmt::format("problem.margin = {} mm; the centroid of the base is only {:.3g} mm from its edge",
+                    *margin_mm, most * body.frame.length));
+  return std::make_unique<Stand>(std::move(base), margin);
+}
+
+}  // namespace kreisel

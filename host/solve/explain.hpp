@@ -1,0 +1,17 @@
+// explain.hpp - which constraint cannot be met, and by how much.
+#pragma once
+
+#include "solve/solver.hpp"
+
+namespace kreisel {
+
+/// One sentence for a task that the solver found infeasible: which constraints are out of reach each by
+/// itself, or else which cannot be met together, and the least amount by which they are missed, body units
+/// (masses M, first moments M L, second moments M L^2).
+///
+/// Solves the same task for its margin, all constraints first, then alone each that is missed. As far as the
+/// solver tells: a formulation with local minima gives no proof.
+[[nodiscard]] std::string explain_infeasible(const SolverEntry& solver, const Task& task,
+                                             const SolverOptions& options);
+
+}  // namespace kreisel
