@@ -10,7 +10,7 @@ packages=(
   libeigen3-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
   libopenmesh-dev libembree-dev libhdf5-dev
   coinor-libipopt-dev libopenblas0-pthread                            # Ipopt with MUMPS; OpenBLAS speeds MUMPS up
-  libgtest-dev
+  libgtest-dev libbenchmark-dev
   python3-h5py python3-matplotlib                                     # plots and the records' tests
 )
 case "${1:-}" in

@@ -69,7 +69,7 @@ TEST(Interior, OfModelsIsAsIfEveryVoxelWereAsked) {
     const TriangleMesh mesh = find_model(name)->make(12);
     // Walls thinner and thicker than a block of cells; grids that are no multiple of one.
     for (const int resolution : {9, 31, 64})
-      for (const Wall& wall : {Wall{0.87, Wall::cells}, Wall{1.5, Wall::cells}, Wall{9, Wall::percent}})
+      for (const Wall& wall : {Wall{0.87, Wall::cells}, Wall{1.5, Wall::cells}, Wall{12, Wall::percent}})
         expect_as_if_every_voxel_were_asked(mesh, resolution, wall);
   }
 }
