@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "body/moments.hpp"
 #include "device/device.hpp"
 #include "device/probe.hpp"
 
@@ -30,6 +31,9 @@ struct Floor {
 
 /// Where a check failed; main() ends with 1 then.
 inline bool all_agree = true;
+
+/// Whether sums lie within a kernel's bound of a reference that adds up n terms one after the other.
+[[nodiscard]] bool agree(const Moments& got, const MomentSums& want, double bound, std::size_t n);
 
 /// Times `launch` by the device's own clock, and reports bytes/s, flop/s and the share of the binding
 /// ceiling: the floor's time at the ceilings measured just before, over the time taken. `check` says whether

@@ -62,7 +62,7 @@ void sum(benchmark::State& state, Machine& machine, const std::string& name, std
       [&] {
         const Moments got = kernel(rays.x);
         const MomentSums want = reference::ray_moments(rays.grid, rays.columns, rays.unit(), rays.x);
-        return ((got - want.value).cwiseAbs().array() <= kernel.bound() * want.abs_sum.array()).all();
+        return agree(got, want, kernel.bound(), n);
       });
 }
 

@@ -49,7 +49,7 @@ void sum(benchmark::State& state, Machine& machine, const std::string& name, std
       [&] {
         const Moments got = kernel(voxels.fill);
         const MomentSums want = reference::voxel_moments(voxels.grid, voxels.cells, voxels.fill);
-        return ((got - want.value).cwiseAbs().array() <= kernel.bound() * want.abs_sum.array()).all();
+        return agree(got, want, kernel.bound(), n);
       });
 }
 
