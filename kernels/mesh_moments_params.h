@@ -3,7 +3,7 @@
 #define KREISEL_MESH_MOMENTS_PARAMS_H
 #include "params.h"
 PARAMS_BEGIN(MeshParams)
-  int n;     /* triangles */
+  int n;     /* triangles, padded */
   int block; /* triangles a work-group sums */
 PARAMS_END(MeshParams)
 #endif

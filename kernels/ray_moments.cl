@@ -6,7 +6,8 @@
 // in    fixed    real  [n]         the other end of each ray when only one varies; else not read
 // out   partial  accum [groups*10] one row a work-group, order s1 sx sy sz sxy syz sxz sxx syy szz
 // build ENDS                       1: z0 varies, 2: z1 varies, 3: both
-//       WG, KREISEL_SINGLE         see real.h
+//       WG, LANES, KREISEL_SINGLE  see real.h; arrays are padded with zeros to a multiple of GROUP, p.n counts the
+//                                  padding
 // sum   a block of elements a group, reduce10 at its end: fixed order, no atomics
 // rays are h x h columns: sxx and syy carry h^2/12 per column; the integral along z is exact
 #include "ray_moments_params.h"
@@ -19,34 +20,43 @@
 // Material grows with z1 and shrinks with z0; `end` counts the ends that vary.
 #define SIGN(end) ((real)(ENDS == 1 || (ENDS == 3 && (end) == 0) ? -1 : 1))
 
-typedef struct { real x, y, area; } Column;
-typedef struct { real z0, z1; } Segment;
+typedef struct { reals x, y; } Columns;
+typedef struct { reals z0, z1; } Segments;
 
-static inline Segment segment_at(const RayParams* p, global const real* x, global const real* fixed, int i) {
-  Segment s;
+static inline void load_ends(reals* z, int i, global const real* x) {
 #if ENDS == 3
-  s.z0 = p->unit * x[2 * i];
-  s.z1 = p->unit * x[2 * i + 1];
-#elif ENDS == 1
-  s.z0 = p->unit * x[i];
-  s.z1 = p->unit * fixed[i];
+  LOAD_PAIRS(z[0], z[1], i, x);
 #else
-  s.z0 = p->unit * fixed[i];
-  s.z1 = p->unit * x[i];
+  z[0] = LOAD(i, x);
 #endif
+}
+
+static inline void store_ends(const reals* v, int i, global real* out) {
+#if ENDS == 3
+  STORE_PAIRS(v[0], v[1], i, out);
+#else
+  STORE(v[0], i, out);
+#endif
+}
+
+static inline Segments segments_at(const RayParams* p, global const real* x, global const real* fixed, int i) {
+  reals z[VARS];
+  load_ends(z, i, x);
+  Segments s;
+  s.z0 = p->unit * (ENDS == 2 ? LOAD(i, fixed) : z[0]);
+  s.z1 = p->unit * (ENDS == 1 ? LOAD(i, fixed) : z[VARS - 1]);
   return s;
 }
 
-static inline Column column_at(const RayParams* p, uint packed) {
-  Column c;
-  c.x = p->ox + p->h * (real)(packed & 0xffffu);
-  c.y = p->oy + p->h * (real)(packed >> 16);
-  c.area = p->h * p->h;
+static inline Columns columns_at(const RayParams* p, words packed) {
+  Columns c;
+  c.x = p->ox + p->h * TO_REALS(packed & 0xffffu);
+  c.y = p->oy + p->h * TO_REALS(packed >> 16);
   return c;
 }
 
 // Coefficients of sum_k w_k t_k(x, y, z) averaged over the column: a[0] + a[1] z + a[2] z^2.
-static inline void along_ray(const RayParams* p, Column c, global const real* w, real* a) {
+static inline void along_ray(const RayParams* p, Columns c, global const real* w, reals* a) {
   const real hh = p->h * p->h / 12;
   a[0] = w[0] + w[1] * c.x + w[2] * c.y + w[4] * c.x * c.y + w[7] * (c.x * c.x + hh) + w[8] * (c.y * c.y + hh);
   a[1] = w[3] + w[5] * c.y + w[6] * c.x;
@@ -57,17 +67,17 @@ kernel __attribute__((reqd_work_group_size(WG, 1, 1))) void ray_moments(RayParam
                                                                         global const uint* column,
                                                                         global const real* fixed,
                                                                         global accum* partial) {
-  local accum scratch[10 * WG];
-  accum s[10];
-  for (int k = 0; k < 10; ++k) s[k] = ACCUM_ZERO;
-  const real hh = p.h * p.h / 12;
-  for (int i = block_begin(p.block); i < block_end(p.block, p.n); i += WG) {
-    const Column c = column_at(&p, column[i]);
-    const Segment segment = segment_at(&p, x, fixed, i);
-    const real z0 = segment.z0, z1 = segment.z1;
+  local real scratch[SCRATCH10];
+  accums s[10];
+  for (int k = 0; k < 10; ++k) s[k] = (accums)ACCUM_ZERO;
+  const real area = p.h * p.h, hh = area / 12, third = (real)1 / 3, half_area = area / 2;
+  for (int i = block_begin(p.block); i < block_end(p.block, p.n); i += GROUP) {
+    const Columns c = columns_at(&p, LOAD(i, column));
+    const Segments segment = segments_at(&p, x, fixed, i);
+    const reals z0 = segment.z0, z1 = segment.z1;
     // Written with the factor (z1 - z0), so that thin segments keep their digits.
-    const real len = c.area * (z1 - z0);
-    const real mid = len * (z0 + z1) / 2;
+    const reals len = area * (z1 - z0);
+    const reals mid = half_area * (z1 - z0) * (z0 + z1);
     s[0] = accum_add(s[0], len);
     s[1] = accum_add(s[1], c.x * len);
     s[2] = accum_add(s[2], c.y * len);
@@ -77,38 +87,39 @@ kernel __attribute__((reqd_work_group_size(WG, 1, 1))) void ray_moments(RayParam
     s[6] = accum_add(s[6], c.x * mid);
     s[7] = accum_add(s[7], (c.x * c.x + hh) * len);
     s[8] = accum_add(s[8], (c.y * c.y + hh) * len);
-    s[9] = accum_add(s[9], len * (z0 * z0 + z0 * z1 + z1 * z1) / 3);
+    s[9] = accum_add(s[9], third * len * (z0 * z0 + z0 * z1 + z1 * z1));
   }
   reduce10(s, scratch, partial);
 }
 
-// (ds/dx)^T w for each of p.rows weight rows: out[r*VARS*n + j] = sum_k w[r*10+k] ds_k/dx_j.
+// (ds/dx)^T w for each of p.rows weight rows: out[r*VARS*p.n + j] = sum_k w[r*10+k] ds_k/dx_j.
 kernel void ray_pull_back(RayParams p, global const real* x, global const uint* column, global const real* w,
                           global real* out) {
-  const int i = get_global_id(0);
+  const int i = get_global_id(0) * LANES;
   if (i >= p.n) return;
-  const Column c = column_at(&p, column[i]);
-  const real scale = p.unit * c.area;
+  const Columns c = columns_at(&p, LOAD(i, column));
+  const real scale = p.unit * p.h * p.h;
+  reals z[VARS];
+  load_ends(z, i, x);
+  for (int end = 0; end < VARS; ++end) z[end] *= p.unit;
   for (int r = 0; r < p.rows; ++r) {
-    real a[3];
+    reals a[3], derivative[VARS];
     along_ray(&p, c, w + 10 * r, a);
-    global real* row = out + (size_t)r * VARS * p.n + (size_t)VARS * i;
-    for (int end = 0; end < VARS; ++end) {
-      const real z = p.unit * x[VARS * i + end];
-      row[end] = SIGN(end) * scale * (a[0] + z * (a[1] + z * a[2]));
-    }
+    for (int end = 0; end < VARS; ++end)
+      derivative[end] = SIGN(end) * scale * (a[0] + z[end] * (a[1] + z[end] * a[2]));
+    store_ends(derivative, i, out + (size_t)r * VARS * p.n);
   }
 }
 
 // Diagonal of sum_k w_k d2s_k/dx2, which has no other entries: out[j], j < VARS*n.
 kernel void ray_curvature(RayParams p, global const real* x, global const uint* column, global const real* w,
                           global real* out) {
-  const int i = get_global_id(0);
+  const int i = get_global_id(0) * LANES;
   if (i >= p.n) return;
-  const Column c = column_at(&p, column[i]);
-  real a[3];
-  along_ray(&p, c, w, a);
-  const real scale = p.unit * p.unit * c.area;
-  for (int end = 0; end < VARS; ++end)
-    out[VARS * i + end] = SIGN(end) * scale * (a[1] + 2 * a[2] * p.unit * x[VARS * i + end]);
+  reals a[3], z[VARS];
+  along_ray(&p, columns_at(&p, LOAD(i, column)), w, a);
+  load_ends(z, i, x);
+  const real scale = p.unit * p.unit * p.h * p.h;
+  for (int end = 0; end < VARS; ++end) z[end] = SIGN(end) * scale * (a[1] + 2 * p.unit * a[2] * z[end]);
+  store_ends(z, i, out);
 }

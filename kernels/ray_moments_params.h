@@ -6,7 +6,7 @@ PARAMS_BEGIN(RayParams)
   real ox, oy;  /* centre of column (0,0), body units */
   real h;       /* spacing: a ray stands for an h x h column */
   real unit;    /* length of one unit of z0 and z1, body units */
-  int n;        /* rays */
+  int n;        /* rays, padded */
   int rows;     /* weight rows of the pull-back */
   int block;    /* rays a work-group sums */
   int pad_;

@@ -5,7 +5,7 @@
 PARAMS_BEGIN(VoxelParams)
   real ox, oy, oz;  /* centre of cell (0,0,0), body units */
   real h;           /* edge of a cell */
-  int n;            /* voxels */
+  int n;            /* voxels, padded */
   int rows;         /* weight rows of the pull-back */
   int block;        /* voxels a work-group sums */
   int pad_;

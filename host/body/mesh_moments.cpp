@@ -9,29 +9,45 @@
 #include "mesh_moments_params.h"
 
 namespace kreisel {
+namespace {
+
+/// x, y, z, 0 of every vertex about `middle`, and of `middle` itself at the end.
+std::vector<double> quadruples(const TriangleMesh& mesh, const Vec3& middle) {
+  std::vector<double> all(4 * (mesh.vertices.size() + 1), 0.0);
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    for (int k = 0; k < 3; ++k) all[4 * i + static_cast<std::size_t>(k)] = mesh.vertices[i][k] - middle[k];
+  return all;
+}
+
+/// First, second, third corners of all triangles, one after the other; padded with triangles at the middle.
+std::vector<std::uint32_t> corners_apart(const TriangleMesh& mesh) {
+  const std::size_t n = device::padded(mesh.triangles.size());
+  std::vector<std::uint32_t> all(3 * n, static_cast<std::uint32_t>(mesh.vertices.size()));
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) all[k * n + i] = mesh.triangles[i][k];
+  return all;
+}
+
+}  // namespace
 
 Moments mesh_moments(const TriangleMesh& mesh, device::Device& device) {
   if (mesh.triangles.empty()) return Moments::Zero();
   const Box box = bounding_box(mesh);
   const Vec3 middle = (box.lo + box.hi) / 2;
-  std::vector<double> vertices;
-  vertices.reserve(3 * mesh.vertices.size());
-  for (const Vec3& v : mesh.vertices)
-    for (int k = 0; k < 3; ++k) vertices.push_back(v[k] - middle[k]);
-
+  const std::vector<double> vertices = quadruples(mesh, middle);
+  const std::vector<std::uint32_t> corners = corners_apart(mesh);
   const device::RealBuffer vertex(device, vertices);
-  const cl::Buffer triangle =
-      device::upload_words(device, {mesh.triangles.front().data(), 3 * mesh.triangles.size()});
+  const cl::Buffer corner = device::upload_words(device, corners);
   device::PartialRows rows(device, mesh.triangles.size());
   cl::Kernel kernel(device::build(device, "mesh_moments"), "mesh_moments");
   device::set_params<MeshParams>(device, kernel, 0, [&](auto& p) {
-    p.n = static_cast<int>(mesh.triangles.size());
+    p.n = static_cast<int>(corners.size() / 3);
     p.block = rows.block();
   });
   kernel.setArg(1, vertex.handle());
-  kernel.setArg(2, triangle);
+  kernel.setArg(2, corner);
   kernel.setArg(3, rows.handle());
-  device.run(kernel, rows.items(), device::PartialRows::work_group);
+  rows.run(kernel);
   const auto sums = rows.join();
   return transformed(Moments(sums.data()), Eigen::Matrix3d::Identity(), middle);
 }
@@ -42,8 +58,8 @@ double mesh_moments_bound(const TriangleMesh& mesh, device::Device& device) {
 
 namespace reference {
 
-MeshMoments mesh_moments(const TriangleMesh& mesh) {
-  MeshMoments sum{Moments::Zero(), Moments::Zero()};
+MomentSums mesh_moments(const TriangleMesh& mesh) {
+  MomentSums sum;
   for (const Triangle& t : mesh.triangles) {
     const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
     const double volume = a.dot(b.cross(c)) / 6;

@@ -13,7 +13,7 @@ namespace kreisel {
 /// @return      units^3, units^4, units^5; negative for an inside-out mesh
 ///
 /// The sums run about the middle of the bounding box and are moved afterwards, so the error is
-/// mesh_moments_bound() times reference::MeshMoments::abs_sum of the centred mesh. [SpinIt, eq. 4]
+/// mesh_moments_bound() times the abs_sum of reference::mesh_moments of the centred mesh. [SpinIt, eq. 4]
 [[nodiscard]] Moments mesh_moments(const TriangleMesh& mesh, device::Device& device);
 
 /// Relative to the sum of absolute terms: at most 40 roundings a term, and the summation.
@@ -21,14 +21,9 @@ namespace kreisel {
 
 namespace reference {
 
-struct MeshMoments {
-  Moments value;
-  Moments abs_sum;  ///< sum of the absolute values of everything that is added up
-};
-
 /// The same in plain double on the host, about the origin: what the kernel is tested against, and what a
 /// written file is verified with.
-[[nodiscard]] MeshMoments mesh_moments(const TriangleMesh& mesh);
+[[nodiscard]] MomentSums mesh_moments(const TriangleMesh& mesh);
 
 }  // namespace reference
 }  // namespace kreisel

@@ -12,6 +12,12 @@ namespace kreisel {
 using Moments = Eigen::Matrix<double, 10, 1>;
 using Matrix10 = Eigen::Matrix<double, 10, 10>;
 
+/// A sum with what its rounding errors are measured by: error bounds are relative to `abs_sum`.
+struct MomentSums {
+  Moments value = Moments::Zero();
+  Moments abs_sum = Moments::Zero();  ///< sum of the absolute values of everything that is added up
+};
+
 /// Position of each moment in Moments; results, kernels and files keep this order.
 enum MomentIndex : int { S1, SX, SY, SZ, SXY, SYZ, SXZ, SXX, SYY, SZZ };
 

@@ -1,27 +1,28 @@
 #include "device/buffer.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <stdexcept>
-#include <vector>
 
 namespace kreisel::device {
 namespace {
 
-constexpr std::size_t smallest_block = 1024;  // 16 elements an item hide the cost of reduce10
+constexpr std::size_t smallest_block = 1024;  // hides the cost of reduce10
 constexpr std::size_t most_groups = 2048;
 
 std::size_t block_for(std::size_t elements) {
   const std::size_t spread = (elements + most_groups - 1) / most_groups;
-  return std::max(smallest_block,
-                  (spread + PartialRows::work_group - 1) / PartialRows::work_group * PartialRows::work_group);
+  return std::max(smallest_block, padded(spread));
 }
 
 }  // namespace
 
 RealBuffer::RealBuffer(Device& device, std::size_t size)
     : device_(&device), size_(size), buffer_(checked("allocating a device array", [&] {
-        return cl::Buffer(device.context(), CL_MEM_READ_WRITE,
-                          std::max<std::size_t>(size, 1) * device.real_bytes());
+        const std::size_t bytes = std::max<std::size_t>(size, 1) * device.real_bytes();
+        const cl::Buffer buffer(device.context(), CL_MEM_READ_WRITE, bytes);
+        device.queue().enqueueFillBuffer(buffer, 0.0f, 0, bytes);
+        return buffer;
       })) {}
 
 RealBuffer::RealBuffer(Device& device, std::span<const double> values) : RealBuffer(device, values.size()) {
@@ -30,6 +31,7 @@ RealBuffer::RealBuffer(Device& device, std::span<const double> values) : RealBuf
 
 void RealBuffer::upload(std::span<const double> values) {
   if (values.size() > size_) throw std::invalid_argument("upload of more values than the device array holds");
+  sent_.clear();
   if (values.empty()) return;
   checked("writing a device array", [&] {
     if (device_->single()) {
@@ -42,25 +44,36 @@ void RealBuffer::upload(std::span<const double> values) {
   });
 }
 
-void RealBuffer::download(std::span<double> values) const {
-  if (values.size() > size_)
+void RealBuffer::update(std::span<const double> values) {
+  if (!sent_.empty() && sent_.size() == values.size() &&
+      std::memcmp(sent_.data(), values.data(), values.size_bytes()) == 0)
+    return;
+  upload(values);
+  sent_.assign(values.begin(), values.end());
+}
+
+void RealBuffer::download(std::span<double> values, std::size_t first) const {
+  if (first > size_ || values.size() > size_ - first)
     throw std::invalid_argument("download of more values than the device array holds");
   if (values.empty()) return;
   checked("reading a device array", [&] {
     if (device_->single()) {
       std::vector<float> rounded(values.size());
-      device_->queue().enqueueReadBuffer(buffer_, CL_TRUE, 0, rounded.size() * sizeof(float), rounded.data());
+      device_->queue().enqueueReadBuffer(buffer_, CL_TRUE, first * sizeof(float),
+                                         rounded.size() * sizeof(float), rounded.data());
       std::copy(rounded.begin(), rounded.end(), values.begin());
     } else {
-      device_->queue().enqueueReadBuffer(buffer_, CL_TRUE, 0, values.size_bytes(), values.data());
+      device_->queue().enqueueReadBuffer(buffer_, CL_TRUE, first * sizeof(double), values.size_bytes(),
+                                         values.data());
     }
   });
 }
 
 cl::Buffer upload_words(Device& device, std::span<const std::uint32_t> words) {
   return checked("writing a device array", [&] {
-    const std::size_t bytes = std::max<std::size_t>(words.size_bytes(), 4);
+    const std::size_t bytes = std::max(padded(words.size()), padding) * sizeof(std::uint32_t);
     cl::Buffer buffer(device.context(), CL_MEM_READ_ONLY, bytes);
+    device.queue().enqueueFillBuffer(buffer, cl_uint{0}, 0, bytes);
     if (!words.empty())
       device.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, words.size_bytes(), words.data());
     return buffer;
@@ -76,6 +89,11 @@ PartialRows::PartialRows(Device& device, std::size_t elements)
         return cl::Buffer(device.context(), CL_MEM_WRITE_ONLY,
                           std::max<std::size_t>(groups_, 1) * 10 * sizeof(double));
       })) {}
+
+void PartialRows::run(const cl::Kernel& kernel) const {
+  const auto items = static_cast<std::size_t>(device_->group_items());
+  device_->run(kernel, groups_ * items, items);
+}
 
 std::array<double, 10> PartialRows::join() const {
   std::array<double, 10> sum{};
@@ -99,7 +117,9 @@ std::array<double, 10> PartialRows::join() const {
 }
 
 double PartialRows::summation_bound() const {
-  const double chain = static_cast<double>(block_) / work_group + work_group + static_cast<double>(groups_);
+  // Elements one after the other, then a group's sums in four chains that are joined, then the rows.
+  const int group = device_->lanes() * device_->group_items();
+  const double chain = static_cast<double>(block_) / group + group / 4.0 + 2 + static_cast<double>(groups_);
   const double u = device_->unit_roundoff();
   return device_->single() ? 2 * u + chain * chain * u * u : chain * u;
 }

@@ -4,19 +4,30 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "device/device.hpp"
 
 namespace kreisel::device {
 
-/// An array of the kernels' scalar. The host side is always double; a single-precision device rounds.
+/// Kernels take elements in groups of up to this many, so their arrays are padded to a multiple of it.
+inline constexpr std::size_t padding = 64;
+
+/// The least multiple of `padding` that is not below n.
+[[nodiscard]] constexpr std::size_t padded(std::size_t n) { return (n + padding - 1) / padding * padding; }
+
+/// An array of the kernels' scalar, zero at first. The host side is always double; a single-precision device
+/// rounds.
 class RealBuffer {
  public:
   RealBuffer(Device& device, std::size_t size);
   RealBuffer(Device& device, std::span<const double> values);
 
-  void upload(std::span<const double> values);    ///< values.size() <= size()
-  void download(std::span<double> values) const;  ///< waits for the kernels before it
+  void upload(std::span<const double> values);  ///< values.size() <= size()
+  /// The same, unless these very values are the last that update() sent.
+  void update(std::span<const double> values);
+  /// Values from `first` on; waits for the kernels before it.
+  void download(std::span<double> values, std::size_t first = 0) const;
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const cl::Buffer& handle() const { return buffer_; }
 
@@ -24,21 +35,23 @@ class RealBuffer {
   Device* device_;
   std::size_t size_;
   cl::Buffer buffer_;
+  std::vector<double> sent_;  ///< by update(); empty when nothing was
 };
 
-/// A constant array of 32-bit words.
+/// A constant array of 32-bit words, padded with zeros.
 cl::Buffer upload_words(Device& device, std::span<const std::uint32_t> words);
 
 /// Rows of ten partial sums, one a work-group, as reduce10.h writes them.
 class PartialRows {
  public:
-  static constexpr int work_group = 64;  // WG in kernels/real.h
-
   PartialRows(Device& device, std::size_t elements);
 
-  [[nodiscard]] int block() const { return block_; }                        ///< elements a work-group sums
-  [[nodiscard]] std::size_t items() const { return groups_ * work_group; }  ///< work-items to launch
+  [[nodiscard]] int block() const { return block_; }  ///< elements a work-group sums
+  [[nodiscard]] std::size_t groups() const { return groups_; }
   [[nodiscard]] const cl::Buffer& handle() const { return buffer_; }
+
+  /// Runs a kernel that writes these rows.
+  void run(const cl::Kernel& kernel) const;
 
   /// The ten sums: rows added in order, in double.
   [[nodiscard]] std::array<double, 10> join() const;

@@ -103,6 +103,15 @@ const Found& pick(const std::vector<Found>& all, std::string_view selector) {
       fmt::format("device '{}' not found; expected an index or part of a name of: {}", selector, names));
 }
 
+/// The native vector width, as kernels/real.h can use it; 1 where the compiler makes vectors of work-items.
+int lanes_of(const cl::Device& device, bool single) {
+  const auto width = single ? device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>()
+                            : device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_DOUBLE>();
+  const bool gpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU) != 0;
+  if (gpu || width <= 1) return 1;
+  return width >= 16 ? 16 : width >= 8 ? 8 : 4;
+}
+
 }  // namespace
 
 std::vector<Info> list() {
@@ -119,6 +128,7 @@ Device::Device(std::string_view selector, Precision precision) {
   device_ = chosen.handle;
   single_ = precision == Precision::single || !info_.fp64;
   checked("opening " + info_.name, [&] {
+    lanes_ = lanes_of(device_, single_);
     context_ = cl::Context(device_);
     queue_ = cl::CommandQueue(context_, device_, CL_QUEUE_PROFILING_ENABLE);
   });

@@ -6,6 +6,7 @@
 #define CL_HPP_ENABLE_EXCEPTIONS
 #include <CL/opencl.hpp>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -52,9 +53,22 @@ class Device {
   [[nodiscard]] double unit_roundoff() const { return single_ ? 0x1p-24 : 0x1p-53; }
   [[nodiscard]] std::size_t real_bytes() const { return single_ ? sizeof(float) : sizeof(double); }
 
+  /// Elements a work-item takes at once and work-items of a summing group (kernels/real.h): long vectors and
+  /// one item on a CPU, single elements and 64 items on a GPU.
+  [[nodiscard]] int lanes() const { return lanes_; }
+  [[nodiscard]] int group_items() const { return lanes_ == 1 ? 64 : 1; }
+
   [[nodiscard]] const cl::Context& context() const { return context_; }
   [[nodiscard]] const cl::Device& handle() const { return device_; }
   [[nodiscard]] const cl::CommandQueue& queue() const { return queue_; }
+  /// Programs of embedded kernels built so far, by stem and options (program.hpp).
+  [[nodiscard]] std::map<std::string, cl::Program>& programs() const { return programs_; }
+
+  /// Runs `kernel` over `elements` elements, each by itself; the kernel leaves out what is too many.
+  void run_each(const cl::Kernel& kernel, std::size_t elements) {
+    const auto lanes = static_cast<std::size_t>(lanes_);
+    run(kernel, (elements + lanes - 1) / lanes, 64);
+  }
 
   /// Runs `kernel` over at least `items` work-items in groups of `group`; counts its time by profiling
   /// events.
@@ -69,9 +83,11 @@ class Device {
 
   Info info_;
   bool single_ = false;
+  int lanes_ = 1;
   cl::Device device_;
   cl::Context context_;
   cl::CommandQueue queue_;
+  mutable std::map<std::string, cl::Program> programs_;
   std::vector<cl::Event> pending_;
   double seconds_ = 0;
 };

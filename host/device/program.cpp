@@ -73,8 +73,9 @@ std::string cache_key(const Device& device, std::string_view source, const std::
 
 cl::Program build_source(const Device& device, std::string_view name, std::string_view source,
                          const std::string& extra) {
-  const std::string options = "-cl-std=CL1.2" + std::string(device.single() ? " -DKREISEL_SINGLE" : "") +
-                              (extra.empty() ? "" : " " + extra);
+  const std::string options =
+      fmt::format("-cl-std=CL1.2 -DLANES={} -DWG={}{}{}{}", device.lanes(), device.group_items(),
+                  device.single() ? " -DKREISEL_SINGLE" : "", extra.empty() ? "" : " ", extra);
   const std::filesystem::path path = cache_folder() / (cache_key(device, source, options) + ".clbin");
   if (auto cached = from_cache(device, path, options)) return *cached;
 
@@ -99,8 +100,11 @@ cl::Program build_source(const Device& device, std::string_view name, std::strin
 }
 
 cl::Program build(const Device& device, std::string_view stem, const std::string& options) {
+  const std::string key = fmt::format("{} {}", stem, options);
+  if (const auto built = device.programs().find(key); built != device.programs().end()) return built->second;
   for (const KernelSource& kernel : kernel_sources())
-    if (kernel.stem == stem) return build_source(device, stem, kernel.text, options);
+    if (kernel.stem == stem)
+      return device.programs().emplace(key, build_source(device, stem, kernel.text, options)).first->second;
   throw Error(fmt::format("no kernel source '{}.cl' is embedded in this program", stem));
 }
 

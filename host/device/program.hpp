@@ -9,12 +9,13 @@
 
 namespace kreisel::device {
 
-/// The program of kernels/`stem`.cl for this device, in its precision.
+/// The program of kernels/`stem`.cl for this device, in its precision, with its lanes and work-group
+/// (kernels/real.h). Built once a device.
 ///
 /// Binaries are kept under cache_folder(), keyed by source, options, device and driver; a binary that the
 /// driver refuses is built anew from source.
 ///
-/// @param options  further compiler options, such as "-DWG=128"
+/// @param options  further compiler options, such as "-DENDS=1"
 /// @throws Error   the build failed; carries the build log
 cl::Program build(const Device& device, std::string_view stem, const std::string& options = {});
 

@@ -7,8 +7,10 @@
 #include <cmath>
 
 #include "domain/crossings.hpp"
+#include "domain/interior.hpp"
 #include "error.hpp"
 #include "mesh/distance.hpp"
+#include "parallel.hpp"
 
 namespace kreisel {
 namespace {
@@ -25,16 +27,32 @@ double in_body_units(const Wall& wall, const Body& body, const Grid& grid) {
   return wall.value / body.frame.length;
 }
 
-/// Calls visit(k) for every cell of the column whose centre has a positive winding number.
-template <class Visit>
-void for_each_inside(const std::vector<Crossing>& column, const Grid& grid, Visit&& visit) {
-  int winding = 0;
-  std::size_t next = 0;
-  for (int k = 0; k < grid.n[2]; ++k) {
-    const double z = grid.centre(2, k);
-    for (; next < column.size() && column[next].z <= z; ++next) winding += column[next].winding;
-    if (winding > 0) visit(k);
-  }
+/// The domain within a few rows of the grid.
+struct RowsOfColumns {
+  std::vector<Interval> intervals;
+  std::size_t inside_voxels = 0, interior_voxels = 0;
+};
+
+RowsOfColumns rows_of_columns(const Grid& grid, const std::vector<std::vector<Crossing>>& crossings,
+                              int first_row, const SurfaceDistance& distance, double shell) {
+  RowsOfColumns part;
+  CellRows cells(grid, crossings, first_row);
+  part.inside_voxels = cells.count();
+  cells.remove_shell(distance, shell);
+  part.interior_voxels = cells.count();
+  for (int iy = cells.first_row(); iy < cells.end_row(); ++iy)
+    for (int ix = 0; ix < grid.n[0]; ++ix) {
+      const auto column = cells.column(ix, iy);
+      for (auto end = column.begin();;) {
+        const auto begin = std::find(end, column.end(), 1);
+        if (begin == column.end()) break;
+        end = std::find(begin, column.end(), 0);
+        part.intervals.push_back({static_cast<std::uint16_t>(ix), static_cast<std::uint16_t>(iy),
+                                  static_cast<int>(begin - column.begin()),
+                                  static_cast<int>(end - column.begin())});
+      }
+    }
+  return part;
 }
 
 }  // namespace
@@ -78,21 +96,16 @@ Columns make_columns(const Body& body, const GridSpec& spec, const Wall& wall) {
   // A flat side on the grid puts a whole layer of centres exactly as deep as the wall; round-off must not
   // decide for each of them.
   const double shell = domain.wall - 1e-9 * grid.h;
-  for (int iy = 0; iy < grid.n[1]; ++iy)
-    for (int ix = 0; ix < grid.n[0]; ++ix) {
-      const std::size_t first = domain.intervals.size();
-      for_each_inside(crossings[ix + static_cast<std::size_t>(grid.n[0]) * iy], grid, [&](int k) {
-        ++domain.inside_voxels;
-        const Vec3 centre(grid.centre(0, ix), grid.centre(1, iy), grid.centre(2, k));
-        if (distance(centre, shell) < shell) return;
-        ++domain.interior_voxels;
-        if (domain.intervals.size() > first && domain.intervals.back().k1 == k)
-          domain.intervals.back().k1 = k + 1;
-        else
-          domain.intervals.push_back(
-              {static_cast<std::uint16_t>(ix), static_cast<std::uint16_t>(iy), k, k + 1});
-      });
-    }
+  std::vector<RowsOfColumns> parts(
+      static_cast<std::size_t>((grid.n[1] + CellRows::most_rows - 1) / CellRows::most_rows));
+  parallel_for(parts.size(), [&](std::size_t i) {
+    parts[i] = rows_of_columns(grid, crossings, static_cast<int>(i) * CellRows::most_rows, distance, shell);
+  });
+  for (const RowsOfColumns& part : parts) {
+    domain.intervals.insert(domain.intervals.end(), part.intervals.begin(), part.intervals.end());
+    domain.inside_voxels += part.inside_voxels;
+    domain.interior_voxels += part.interior_voxels;
+  }
   if (domain.intervals.empty())
     throw InputError(
         fmt::format("wall {} leaves no interior in a grid of {} x {} x {}; expected a thinner wall or a "

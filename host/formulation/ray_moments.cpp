@@ -23,10 +23,11 @@ RayMoments::RayMoments(device::Device& device, const Grid& grid, std::span<const
       n_(columns.size()),
       variables_(ends == Ends::both ? 2 * n_ : n_),
       columns_(device::upload_words(device, columns)),
-      fixed_(device, n_),
-      x_(device, variables_),
+      stride_(ends == Ends::both ? 2 * device::padded(n_) : device::padded(n_)),
+      fixed_(device, ends == Ends::both ? 0 : stride_),
+      x_(device, stride_),
       weights_(device, 10 * most_rows),
-      out_(device, most_rows * variables_),
+      out_(device, stride_),
       rows_(device, n_) {
   if (fixed.size() != 2 * n_ - variables_)
     throw std::invalid_argument(
@@ -56,7 +57,7 @@ void RayMoments::set_params(cl::Kernel& kernel, std::size_t rows) {
     p.oy = static_cast<Real>(grid_.centre(1, 0));
     p.h = static_cast<Real>(grid_.h);
     p.unit = static_cast<Real>(unit_);
-    p.n = static_cast<int>(n_);
+    p.n = static_cast<int>(device::padded(n_));
     p.rows = static_cast<int>(rows);
     p.block = rows_.block();
   });
@@ -69,9 +70,9 @@ void RayMoments::require_length(std::size_t values) const {
 
 Moments RayMoments::operator()(std::span<const double> x) {
   require_length(x.size());
-  x_.upload(x);
+  x_.update(x);
   set_params(sum_, 0);
-  device_->run(sum_, rows_.items(), device::PartialRows::work_group);
+  rows_.run(sum_);
   return Moments(rows_.join().data());
 }
 
@@ -81,28 +82,49 @@ void RayMoments::pull_back(std::span<const double> x, std::span<const Moments> w
   if (weights.size() > most_rows || out.size() != weights.size() * x.size())
     throw std::invalid_argument(
         fmt::format("pull-back of {} rows into {} values for {} rays", weights.size(), out.size(), n_));
-  x_.upload(x);
+  x_.update(x);
   weights_.upload({weights.front().data(), 10 * weights.size()});
+  if (out_.size() < weights.size() * stride_) {
+    out_ = device::RealBuffer(*device_, weights.size() * stride_);
+    for (cl::Kernel* kernel : {&pull_back_, &curvature_}) kernel->setArg(4, out_.handle());
+  }
   set_params(pull_back_, weights.size());
-  device_->run(pull_back_, n_, device::PartialRows::work_group);
-  out_.download(out);
+  device_->run_each(pull_back_, n_);
+  for (std::size_t r = 0; r < weights.size(); ++r)
+    out_.download(out.subspan(r * variables_, variables_), r * stride_);
 }
 
 void RayMoments::curvature(std::span<const double> x, const Moments& weight, std::span<double> out) {
   require_length(x.size());
   require_length(out.size());
-  x_.upload(x);
+  x_.update(x);
   weights_.upload({weight.data(), 10});
   set_params(curvature_, 1);
-  device_->run(curvature_, n_, device::PartialRows::work_group);
+  device_->run_each(curvature_, n_);
   out_.download(out);
 }
 
+namespace {
+
+/// sum_k w_k t_k averaged over a column's cross-section: a + b z + c z^2.
+struct AlongRay {
+  double a, b, c;
+};
+
+AlongRay along_ray(const Grid& grid, std::uint32_t column, const Moments& w) {
+  const double x = grid.centre(0, static_cast<int>(column & 0xffffu));
+  const double y = grid.centre(1, static_cast<int>(column >> 16)), hh = grid.h * grid.h / 12;
+  return {w[S1] + w[SX] * x + w[SY] * y + w[SXY] * x * y + w[SXX] * (x * x + hh) + w[SYY] * (y * y + hh),
+          w[SZ] + w[SYZ] * y + w[SXZ] * x, w[SZZ]};
+}
+
+}  // namespace
+
 namespace reference {
 
-RaySums ray_moments(const Grid& grid, std::span<const std::uint32_t> columns, double unit,
-                    std::span<const double> x) {
-  RaySums sum{Moments::Zero(), Moments::Zero()};
+MomentSums ray_moments(const Grid& grid, std::span<const std::uint32_t> columns, double unit,
+                       std::span<const double> x) {
+  MomentSums sum;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const double cx = grid.centre(0, static_cast<int>(columns[i] & 0xffffu));
     const double cy = grid.centre(1, static_cast<int>(columns[i] >> 16));
@@ -115,6 +137,27 @@ RaySums ray_moments(const Grid& grid, std::span<const std::uint32_t> columns, do
         {grid.h, grid.h, reach});
   }
   return sum;
+}
+
+void ray_pull_back(const Grid& grid, std::span<const std::uint32_t> columns, double unit,
+                   std::span<const double> x, const Moments& weight, std::span<double> out) {
+  const double scale = unit * grid.h * grid.h;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const AlongRay q = along_ray(grid, columns[i], weight);
+    const double z0 = unit * x[2 * i], z1 = unit * x[2 * i + 1];
+    out[2 * i] = -scale * (q.a + z0 * (q.b + z0 * q.c));
+    out[2 * i + 1] = scale * (q.a + z1 * (q.b + z1 * q.c));
+  }
+}
+
+void ray_curvature(const Grid& grid, std::span<const std::uint32_t> columns, double unit,
+                   std::span<const double> x, const Moments& weight, std::span<double> out) {
+  const double scale = unit * unit * grid.h * grid.h;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const AlongRay q = along_ray(grid, columns[i], weight);
+    out[2 * i] = -scale * (q.b + 2 * q.c * unit * x[2 * i]);
+    out[2 * i + 1] = scale * (q.b + 2 * q.c * unit * x[2 * i + 1]);
+  }
 }
 
 }  // namespace reference

@@ -49,6 +49,7 @@ class RayMoments {
   double unit_;
   std::size_t n_, variables_;
   cl::Buffer columns_;
+  std::size_t stride_;  ///< of a row of `out_`, padding included
   device::RealBuffer fixed_, x_, weights_, out_;
   device::PartialRows rows_;
   cl::Kernel sum_, pull_back_, curvature_;
@@ -56,13 +57,15 @@ class RayMoments {
 
 namespace reference {
 
-struct RaySums {
-  Moments value, abs_sum;
-};
-
 /// The same in plain double on the host. @param x  z0, z1 of each ray, interleaved
-[[nodiscard]] RaySums ray_moments(const Grid& grid, std::span<const std::uint32_t> columns, double unit,
-                                  std::span<const double> x);
+[[nodiscard]] MomentSums ray_moments(const Grid& grid, std::span<const std::uint32_t> columns, double unit,
+                                     std::span<const double> x);
+
+/// Derivatives of one weighted sum, both ends varying: what pull_back() and curvature() give for it.
+void ray_pull_back(const Grid& grid, std::span<const std::uint32_t> columns, double unit,
+                   std::span<const double> x, const Moments& weight, std::span<double> out);
+void ray_curvature(const Grid& grid, std::span<const std::uint32_t> columns, double unit,
+                   std::span<const double> x, const Moments& weight, std::span<double> out);
 
 }  // namespace reference
 }  // namespace kreisel

@@ -19,9 +19,9 @@ VoxelMoments::VoxelMoments(device::Device& device, const Grid& grid, std::span<c
       grid_(grid),
       n_(cells.size()),
       cells_(device::upload_words(device, cells)),
-      fill_(device, cells.size()),
+      fill_(device, device::padded(n_)),
       weights_(device, 10 * most_rows),
-      out_(device, most_rows * cells.size()),
+      out_(device, device::padded(n_)),
       rows_(device, cells.size()) {
   const cl::Program program = device::build(device, "voxel_moments");
   sum_ = cl::Kernel(program, "voxel_moments");
@@ -43,7 +43,7 @@ void fill_params(Params& p, const Grid& grid, std::size_t n, std::size_t rows, i
   p.oy = static_cast<Real>(grid.centre(1, 0));
   p.oz = static_cast<Real>(grid.centre(2, 0));
   p.h = static_cast<Real>(grid.h);
-  p.n = static_cast<int>(n);
+  p.n = static_cast<int>(device::padded(n));
   p.rows = static_cast<int>(rows);
   p.block = block;
 }
@@ -53,10 +53,10 @@ void fill_params(Params& p, const Grid& grid, std::size_t n, std::size_t rows, i
 Moments VoxelMoments::operator()(std::span<const double> fill) {
   if (fill.size() != n_)
     throw std::invalid_argument(fmt::format("fill of {} values for {} voxels", fill.size(), n_));
-  fill_.upload(fill);
+  fill_.update(fill);
   device::set_params<VoxelParams>(*device_, sum_, 0,
                                   [&](auto& p) { fill_params(p, grid_, n_, 0, rows_.block()); });
-  device_->run(sum_, rows_.items(), device::PartialRows::work_group);
+  rows_.run(sum_);
   return Moments(rows_.join().data());
 }
 
@@ -65,16 +65,22 @@ void VoxelMoments::pull_back(std::span<const Moments> weights, std::span<double>
     throw std::invalid_argument(
         fmt::format("pull-back of {} rows into {} values for {} voxels", weights.size(), out.size(), n_));
   weights_.upload({weights.front().data(), 10 * weights.size()});
+  const std::size_t stride = device::padded(n_);
+  if (out_.size() < weights.size() * stride) {
+    out_ = device::RealBuffer(*device_, weights.size() * stride);
+    pull_back_.setArg(3, out_.handle());
+  }
   device::set_params<VoxelParams>(*device_, pull_back_, 0,
                                   [&](auto& p) { fill_params(p, grid_, n_, weights.size(), rows_.block()); });
-  device_->run(pull_back_, n_, device::PartialRows::work_group);
-  out_.download(out);
+  device_->run_each(pull_back_, n_);
+  for (std::size_t r = 0; r < weights.size(); ++r) out_.download(out.subspan(r * n_, n_), r * stride);
 }
 
 namespace reference {
 
-Sums voxel_moments(const Grid& grid, std::span<const std::uint32_t> cells, std::span<const double> fill) {
-  Sums sum{Moments::Zero(), Moments::Zero()};
+MomentSums voxel_moments(const Grid& grid, std::span<const std::uint32_t> cells,
+                         std::span<const double> fill) {
+  MomentSums sum;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Vec3 centre(grid.centre(0, static_cast<int>(cells[i] & 1023u)),
                       grid.centre(1, static_cast<int>(cells[i] >> 10 & 1023u)),
@@ -85,6 +91,16 @@ Sums voxel_moments(const Grid& grid, std::span<const std::uint32_t> cells, std::
     sum.abs_sum += std::abs(fill[i]) * box_moments(reach, Vec3::Constant(grid.h));
   }
   return sum;
+}
+
+void voxel_pull_back(const Grid& grid, std::span<const std::uint32_t> cells, const Moments& weight,
+                     std::span<double> out) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Vec3 centre(grid.centre(0, static_cast<int>(cells[i] & 1023u)),
+                      grid.centre(1, static_cast<int>(cells[i] >> 10 & 1023u)),
+                      grid.centre(2, static_cast<int>(cells[i] >> 20)));
+    out[i] = weight.dot(box_moments(centre, Vec3::Constant(grid.h)));
+  }
 }
 
 }  // namespace reference

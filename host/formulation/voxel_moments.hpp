@@ -44,13 +44,13 @@ class VoxelMoments {
 
 namespace reference {
 
-struct Sums {
-  Moments value, abs_sum;
-};
-
 /// The same in plain double on the host.
-[[nodiscard]] Sums voxel_moments(const Grid& grid, std::span<const std::uint32_t> cells,
-                                 std::span<const double> fill);
+[[nodiscard]] MomentSums voxel_moments(const Grid& grid, std::span<const std::uint32_t> cells,
+                                       std::span<const double> fill);
+
+/// out[i] = sum_k weight[k] ds_k/dfill_i.
+void voxel_pull_back(const Grid& grid, std::span<const std::uint32_t> cells, const Moments& weight,
+                     std::span<double> out);
 
 }  // namespace reference
 }  // namespace kreisel

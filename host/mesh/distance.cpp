@@ -21,7 +21,7 @@ double squared_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 struct Query {
   const TriangleMesh* mesh;
   Vec3 point;
-  double best;
+  double best, enough;
   float margin;
 };
 
@@ -32,7 +32,7 @@ bool visit(RTCPointQueryFunctionArguments* arguments) {
   const double d = distance_to_triangle(query.point, v[t[0]], v[t[1]], v[t[2]]);
   if (d >= query.best) return false;
   query.best = d;
-  arguments->query->radius = static_cast<float>(d) + query.margin;
+  arguments->query->radius = d < query.enough ? 0.0f : static_cast<float>(d) + query.margin;
   return true;  // the radius shrank
 }
 
@@ -88,8 +88,8 @@ SurfaceDistance::~SurfaceDistance() {
   rtcReleaseDevice(scene_->device);
 }
 
-double SurfaceDistance::operator()(const Vec3& point, double limit) const {
-  Query query{scene_->mesh, point, limit, scene_->margin};
+double SurfaceDistance::operator()(const Vec3& point, double limit, double enough) const {
+  Query query{scene_->mesh, point, limit, enough, scene_->margin};
   RTCPointQuery embree{};
   embree.x = static_cast<float>(point[0]);
   embree.y = static_cast<float>(point[1]);

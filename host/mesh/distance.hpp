@@ -16,8 +16,10 @@ class SurfaceDistance {
   SurfaceDistance(const SurfaceDistance&) = delete;
   SurfaceDistance& operator=(const SurfaceDistance&) = delete;
 
-  /// The distance of `point`, or `limit` when it is at least that. limit > 0, the mesh's unit.
-  [[nodiscard]] double operator()(const Vec3& point, double limit) const;
+  /// The distance of `point`, or `limit` when it is at least that. limit > 0, the mesh's unit. The search
+  /// ends as soon as it finds a point of the surface nearer than `enough`: the result is then that point's
+  /// distance.
+  [[nodiscard]] double operator()(const Vec3& point, double limit, double enough = 0) const;
 
  private:
   struct Scene;

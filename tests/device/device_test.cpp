@@ -146,20 +146,43 @@ TEST_P(RealBufferOn, RefusesMoreValuesThanItHolds) {
   EXPECT_NO_THROW(buffer.upload({four.data(), 2}));
 }
 
+TEST_P(RealBufferOn, IsZeroAtFirstAndReadFromAnywhere) {
+  device::RealBuffer buffer(device(), 5);
+  buffer.upload(std::vector<double>{1, 2, 3});
+  std::vector<double> back(3);
+  buffer.download(back, 2);
+  EXPECT_EQ(back, (std::vector<double>{3, 0, 0}));
+  EXPECT_THROW(buffer.download(back, 3), std::invalid_argument);
+}
+
+TEST_P(RealBufferOn, UpdateSendsWhatDiffersFromTheLastUpdate) {
+  device::RealBuffer buffer(device(), 3);
+  std::vector<double> back(3);
+  for (const std::vector<double>& values : {std::vector<double>{1, 2, 3}, {1, 2, 3}, {1, 2, 4}, {5, 2}}) {
+    buffer.update(values);
+    back.resize(values.size());
+    buffer.download(back);
+    EXPECT_EQ(back, values);
+  }
+  const std::vector<double> other = {7, 7}, last = {5, 2};
+  buffer.upload(other);
+  buffer.update(last);
+  buffer.download(back);
+  EXPECT_EQ(back, last) << "upload() in between is not forgotten";
+}
+
 TEST_P(RealBufferOn, PartialRowsOfNothingSumToZeroAndLaunchNothing) {
   const device::PartialRows rows(device(), 0);
-  EXPECT_EQ(rows.items(), 0u);
+  EXPECT_EQ(rows.groups(), 0u);
   EXPECT_EQ(rows.join(), (std::array<double, 10>{}));
 }
 
 TEST_P(RealBufferOn, PartialRowsCoverEveryElementWithWholeWorkGroups) {
   for (const std::size_t n : {1u, 1023u, 1024u, 1025u, 2097152u, 2097153u, 10000019u}) {
     const device::PartialRows rows(device(), n);
-    const std::size_t groups = rows.items() / device::PartialRows::work_group;
-    EXPECT_EQ(rows.items() % device::PartialRows::work_group, 0u) << n;
-    EXPECT_EQ(rows.block() % device::PartialRows::work_group, 0) << n;
-    EXPECT_GE(groups * static_cast<std::size_t>(rows.block()), n);
-    EXPECT_LT((groups - 1) * static_cast<std::size_t>(rows.block()), n);
+    EXPECT_EQ(static_cast<std::size_t>(rows.block()) % device::padding, 0u) << n;
+    EXPECT_GE(rows.groups() * static_cast<std::size_t>(rows.block()), n);
+    EXPECT_LT((rows.groups() - 1) * static_cast<std::size_t>(rows.block()), n);
   }
 }
 

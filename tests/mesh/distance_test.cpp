@@ -90,6 +90,24 @@ TEST(SurfaceDistance, IsThatOfTheNearestTriangleOrTheLimit) {
   }
 }
 
+TEST(SurfaceDistance, EndsTheSearchOnlyWithWhatIsNearEnough) {
+  Random random(24);
+  const TriangleMesh mesh = upright_torus_mesh(0.75, 0.25, 48, 24);
+  const SurfaceDistance distance(mesh);
+  for (int trial = 0; trial < 300; ++trial) {
+    const Vec3 p = random_vec(random, -1.2, 1.2);
+    const double want = brute_force(mesh, p);
+    const double got = distance(p, 1, 0.2);
+    if (want < 0.2) {
+      EXPECT_GE(got, want);
+      EXPECT_LT(got, 0.2);
+    } else {
+      EXPECT_EQ(got, std::min(want, 1.0));
+    }
+    EXPECT_EQ(distance(p, 0.2, 0.2) < 0.2, want < 0.2) << "as a yes or no";
+  }
+}
+
 TEST(SurfaceDistance, OnAVertexIsZero) {
   const TriangleMesh mesh = box_mesh({0.1, 0.2, 0.3}, {1, 1, 1});
   const SurfaceDistance distance(mesh);

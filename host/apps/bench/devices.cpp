@@ -13,9 +13,10 @@ void print_measured(device::Device& device) {
   const device::Ceilings c = device::measure(device);
   const double fp64 = c.flops_double;
   fmt::print(
-      "    measured   copy {:.1f} GB/s (arrays of {:.0f} MiB, {:.0f} times the last-level cache), {} fp64, "
+      "    measured   read {:.1f} GB/s, copy {:.1f} GB/s (arrays of {:.0f} MiB, {:.0f} times the last-level "
+      "cache), {} fp64, "
       "{:.1f} Gflop/s fp32\n",
-      c.copy_bytes_per_s / giga, static_cast<double>(c.array_bytes) / mebi,
+      c.read_bytes_per_s / giga, c.copy_bytes_per_s / giga, static_cast<double>(c.array_bytes) / mebi,
       static_cast<double>(c.array_bytes) / static_cast<double>(c.cache_bytes),
       fp64 > 0 ? fmt::format("{:.1f} Gflop/s", fp64 / giga) : "no", c.flops_single / giga);
   if (device.info().gpu) return;

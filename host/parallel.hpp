@@ -1,0 +1,41 @@
+// parallel.hpp - a loop over independent pieces of work on all hardware threads.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace kreisel {
+
+/// Calls body(i) once for every i < count, in any order, on as many threads as the machine has. The pieces
+/// share nothing they write to, so the result depends on none of that. The first exception is thrown again
+/// when all threads are done; pieces not begun by then are left out.
+template <class Body>
+void parallel_for(std::size_t count, Body&& body) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex failing;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) try {
+        body(i);
+      } catch (...) {
+        const std::scoped_lock lock(failing);
+        if (!failure) failure = std::current_exception();
+        next = count;
+      }
+  };
+  {
+    const std::size_t threads =
+        std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
+    std::vector<std::jthread> others;
+    for (std::size_t t = 1; t < threads; ++t) others.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace kreisel
