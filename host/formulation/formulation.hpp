@@ -67,7 +67,7 @@ class Formulation {
   /// The nearest interior made of whole voxels. [RayRep, s. 3.4]
   [[nodiscard]] virtual Rounded round(std::span<const double> x) const = 0;
 
-  [[nodiscard]] std::vector<double> start(Start where) const;
+  [[nodiscard]] virtual std::vector<double> start(Start where) const;
 };
 
 /// Settings of a formulation, from `--set formulation.NAME=VALUE`.

@@ -60,6 +60,16 @@ class RayRep final : public Formulation {
   std::size_t num_variables() const override { return variables_a_ray() * domain_.intervals.size(); }
   const Bounds& bounds() const override { return bounds_; }
 
+  std::vector<double> start(Start where) const override {
+    std::vector<double> x = Formulation::start(where);
+    if (where == Start::middle && options_.ends == Ends::both && options_.bounds == RayBounds::ordered)
+      // Half way between ordered bounds both ends meet: no material at all, where solvers see a local
+      // infeasibility. The quarter points are where the midpoint bounds start, too.
+      for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] = (i % 2 == 0 ? 0.75 : 0.25) * bounds_.lower[i] + (i % 2 == 0 ? 0.25 : 0.75) * bounds_.upper[i];
+    return x;
+  }
+
   SparseRows own_constraints() const override {
     SparseRows rows;
     if (options_.ends != Ends::both || options_.bounds == RayBounds::midpoint) return rows;

@@ -1,8 +1,8 @@
 #include "formulation/voxel_set.hpp"
 
-#include <algorithm>
-#include <array>
 #include <numeric>
+
+#include "formulation/dense_void.hpp"
 
 namespace kreisel {
 
@@ -33,57 +33,6 @@ Moments moments(const VoxelSet& set) {
   return sum;
 }
 
-namespace {
-
-/// Void flags on a dense grid with a layer of solid around it.
-class DenseVoid {
- public:
-  explicit DenseVoid(const VoxelSet& set) : n_(set.domain().grid.n) {
-    for (int& n : n_) n += 2;
-    voxel_.assign(static_cast<std::size_t>(n_[0]) * n_[1] * n_[2], solid);
-    const auto& intervals = set.domain().intervals;
-    for (std::size_t i = 0; i < intervals.size(); ++i)
-      for (int k = intervals[i].k0; k < intervals[i].k1; ++k) {
-        const std::size_t v = set.first(i) + static_cast<std::size_t>(k - intervals[i].k0);
-        if (!set.solid(v))
-          voxel_[at(intervals[i].ix + 1, intervals[i].iy + 1, k + 1)] = static_cast<std::int64_t>(v);
-      }
-  }
-
-  static constexpr std::int64_t solid = -1;
-
-  [[nodiscard]] std::size_t at(int x, int y, int z) const {
-    return (static_cast<std::size_t>(z) * n_[1] + y) * n_[0] + x;
-  }
-  [[nodiscard]] const std::array<int, 3>& n() const { return n_; }
-  /// Index of a void voxel in its set, or `solid`.
-  [[nodiscard]] std::int64_t& operator[](std::size_t cell) { return voxel_[cell]; }
-
- private:
-  std::array<int, 3> n_;
-  std::vector<std::int64_t> voxel_;
-};
-
-/// Bit c of a block is set when its corner cell (c&1, c>>1&1, c>>2) is void.
-/// A void cell to fill, or -1 when the surface is a manifold at the block's middle.
-int offending_corner(unsigned block) {
-  static constexpr std::array<std::array<int, 4>, 6> faces = {
-      {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
-  const auto is_void = [block](int c) { return (block >> c & 1u) != 0; };
-  for (const auto& f : faces) {  // corners in a ring: a diagonal pair of each kind means a pinched edge
-    if (is_void(f[0]) && is_void(f[2]) && !is_void(f[1]) && !is_void(f[3])) return f[0];
-    if (is_void(f[1]) && is_void(f[3]) && !is_void(f[0]) && !is_void(f[2])) return f[1];
-  }
-  for (int c = 0; c < 4; ++c) {  // opposite corners alone: a pinched point
-    const unsigned pair = 1u << c | 1u << (7 - c);
-    if (block == pair) return c;
-    if (block == (0xffu & ~pair)) return (c + 1) % 8 == 7 - c ? (c + 2) % 8 : (c + 1) % 8;
-  }
-  return -1;
-}
-
-}  // namespace
-
 std::size_t make_well_composed(VoxelSet& set) {
   DenseVoid cells(set);
   const auto& n = cells.n();
@@ -94,12 +43,10 @@ std::size_t make_well_composed(VoxelSet& set) {
       for (int y = 0; y + 1 < n[1]; ++y)
         for (int x = 0; x + 1 < n[0]; ++x) {
           const auto corner = [&](int c) { return cells.at(x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)); };
-          unsigned block = 0;
-          for (int c = 0; c < 8; ++c)
-            block |= static_cast<unsigned>(cells[corner(c)] != DenseVoid::solid) << c;
+          unsigned block = cells.block(x, y, z);
           for (int c; (c = offending_corner(block)) >= 0; block &= ~(1u << c)) {
-            set.set(static_cast<std::size_t>(cells[corner(c)]), true);
-            cells[corner(c)] = DenseVoid::solid;
+            set.set(cells.voxel(corner(c)), true);
+            cells.set_void(corner(c), false);
             ++filled;
             changed = true;
           }

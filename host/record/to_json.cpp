@@ -59,11 +59,9 @@ json evaluations(const Evaluations& e) {
 }
 
 json rounding(const RoundingCost& cost) {
-  return {{"objective", cost.objective},
-          {"constraint_violation", cost.violation},
-          {"solid_voxels", cost.solid_voxels},
-          {"void_voxels", cost.void_voxels},
-          {"mended_voxels", cost.mended_voxels}};
+  return {{"objective", cost.objective},         {"constraint_violation", cost.violation},
+          {"solid_voxels", cost.solid_voxels},   {"void_voxels", cost.void_voxels},
+          {"mended_voxels", cost.mended_voxels}, {"moved_voxels", cost.moved_voxels}};
 }
 
 /// The problem's own values stand beside ours; ours win should the names ever meet.

@@ -162,6 +162,7 @@ void write_rounding(Group group, const RoundingCost& cost) {
   group.set("solid_voxels", cost.solid_voxels);
   group.set("void_voxels", cost.void_voxels);
   group.set("mended_voxels", cost.mended_voxels);
+  group.set("moved_voxels", cost.moved_voxels);
   write_moments(group, "moments", cost.moments);
 }
 

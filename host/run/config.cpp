@@ -92,6 +92,11 @@ const std::map<std::string_view, Setter>& setters() {
       {"solver", [](C c, S, S v) { c.solver = v; }},
       {"resolution", [](C c, S k, S v) { c.grid = grid(k, v); }},
       {"wall", [](C c, S, S v) { c.wall = parse_wall(std::string(v)); }},
+      {"rounding",
+       [](C c, S k, S v) {
+         if (v != "nearest" && v != "fitted") refuse(k, v, "nearest or fitted");
+         c.rounding = v == "nearest" ? Rounding::nearest : Rounding::fitted;
+       }},
       {"device", [](C c, S, S v) { c.device = v; }},
       {"precision",
        [](C c, S k, S v) {
@@ -155,6 +160,7 @@ std::map<std::string, std::string> describe(const RunConfig& config) {
   if (config.body.contact) fields["contact"] = text_of(*config.body.contact);
   if (config.body.size) fields["size"] = fmt::format("{}", *config.body.size);
   if (config.body.fineness) fields["fineness"] = std::to_string(config.body.fineness);
+  if (config.rounding == Rounding::nearest) fields["rounding"] = "nearest";
   if (!config.device.empty()) fields["device"] = config.device;
   if (config.single_precision) fields["precision"] = "single";
   return fields;

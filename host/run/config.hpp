@@ -10,12 +10,17 @@
 
 namespace kreisel {
 
+/// How the optimum becomes whole voxels: each end to its nearest face, as the papers do, or then moved voxel
+/// by voxel until the constraints hold.
+enum class Rounding { nearest, fitted };
+
 /// One run. Defaults are those of `bench --formulation rayrep`.
 struct RunConfig {
   BodySpec body;
   std::string problem = "spin", formulation = "rayrep", solver = "ipopt";
   GridSpec grid;
   Wall wall;
+  Rounding rounding = Rounding::fitted;
   std::string device;             ///< selector, see device.hpp
   bool single_precision = false;  ///< forces the kernels to compensated single precision
   std::map<std::string, std::string>

@@ -11,6 +11,7 @@
 #include "error.hpp"
 #include "fabricate/verify.hpp"
 #include "fabricate/void_surface.hpp"
+#include "formulation/meet_constraints.hpp"
 #include "mesh/write.hpp"
 #include "solve/explain.hpp"
 #include "solve/interrupt.hpp"
@@ -54,7 +55,8 @@ Seconds medians(const std::vector<Seconds>& samples) {
           column(&Seconds::total)};
 }
 
-RoundingCost cost_of(const Rounded& rounded, const MassModel& mass, const Problem& problem) {
+RoundingCost cost_of(const Rounded& rounded, std::size_t moved, const MassModel& mass,
+                     const Problem& problem) {
   RoundingCost cost;
   cost.moments = mass.total(moments(rounded.solid));
   cost.objective = problem.value(cost.moments);
@@ -62,6 +64,7 @@ RoundingCost cost_of(const Rounded& rounded, const MassModel& mass, const Proble
   cost.solid_voxels = rounded.solid.count_solid();
   cost.void_voxels = rounded.solid.size() - cost.solid_voxels;
   cost.mended_voxels = rounded.mended;
+  cost.moved_voxels = moved;
   return cost;
 }
 
@@ -162,8 +165,11 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   }
 
   tell("round, extract, verify");
-  const Rounded rounded = formulation->round(r.outcome.x);
-  r.rounding = cost_of(rounded, mass, *problem);
+  Rounded rounded = formulation->round(r.outcome.x);
+  // What cannot be met at all need not be fitted.
+  const bool fit = config.rounding == Rounding::fitted && r.outcome.termination != Termination::infeasible;
+  const std::size_t moved = fit ? meet_constraints(rounded.solid, *problem, mass) : 0;
+  r.rounding = cost_of(rounded, moved, mass, *problem);
   output.outer = body.mesh;
   output.cavity = to_model(body.frame, void_surface(rounded.solid));
   r.verified = write_and_verify(output, body, *problem, mesh_file);

@@ -23,6 +23,7 @@ struct RoundingCost {
   double violation = 0;               ///< largest, after rounding
   Moments moments = Moments::Zero();  ///< totals
   std::size_t solid_voxels = 0, void_voxels = 0, mended_voxels = 0;
+  std::size_t moved_voxels = 0;  ///< to meet the constraints
 };
 
 /// The written part, judged from the file that was written.

@@ -41,7 +41,7 @@ ATTRIBUTES = {
     },
     "/rounding": {
         "objective": REAL, "violation": REAL, "solid_voxels": WHOLE, "void_voxels": WHOLE,
-        "mended_voxels": WHOLE,
+        "mended_voxels": WHOLE, "moved_voxels": WHOLE,
     },
     "/verified": {
         "ok": FLAG, "text": TEXT, "file": TEXT, "rounding_mismatch": REAL, "triangles": WHOLE,

@@ -24,6 +24,7 @@ constexpr std::pair<const char*, const char*> fields[] = {
     {"solver", "default ipopt"},
     {"resolution", "cells along the longest side, or NXxNYxNZ; default 64"},
     {"wall", "least wall: 1.5h (cells), 2% (of the longest side) or mm; default 1.5h"},
+    {"rounding", "to whole voxels: nearest, or fitted so that the constraints hold (default)"},
     {"axis", "spin axis x,y,z in model coordinates; default up"},
     {"contact", "a point of the axis, mm; default the lowest point along it"},
     {"up", "up direction x,y,z; default the model's, else 0,0,1"},

@@ -39,9 +39,9 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
              r.solid_objective, o.violation);
   fmt::print(
       "  rounded    {:.6f}; violation {:.1e}; {} of {} voxels void, {} filled to keep the surface a "
-      "manifold\n",
+      "manifold, {} moved to meet the constraints\n",
       r.rounding.objective, r.rounding.violation, r.rounding.void_voxels, r.interior_voxels,
-      r.rounding.mended_voxels);
+      r.rounding.mended_voxels, r.rounding.moved_voxels);
   fmt::print("  part       {:.4g} g, centre of mass {:.3f},{:.3f},{:.3f} mm in the body frame\n",
              r.rounding.moments[S1] * r.mass_unit_grams, c[0], c[1], c[2]);
   fmt::print("  verified   {}\n", r.verified.verdict.text);
