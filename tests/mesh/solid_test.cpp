@@ -120,7 +120,7 @@ TEST(MakeSolid, MendsEveryHeapOfCellsThatTouchAlongEdgesAndCorners) {
   std::mt19937 random(11);
   for (int repeat = 0; repeat < 60; ++repeat) {
     std::vector<bool> filled(64);
-    const unsigned percent = 20 + random() % 50;
+    const auto percent = 20 + random() % 50;
     for (std::size_t c = 0; c < filled.size(); ++c) filled[c] = random() % 100 < percent;
     const auto count = std::count(filled.begin(), filled.end(), true);
     RepairReport report;
