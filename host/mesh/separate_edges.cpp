@@ -1,6 +1,7 @@
 #include "mesh/separate_edges.hpp"
 
 #include <optional>
+#include <utility>
 
 #include "mesh/predicates.hpp"
 #include "mesh/sides.hpp"
@@ -33,10 +34,11 @@ class AroundEdge {
   const Vec3 &a_, &b_, &start_;
 };
 
-using Pairs = std::vector<std::pair<Side, Side>>;
+/// The sides of an edge in their order around it, alternating, from a backward one on.
+using Ring = std::vector<Side>;
 
-/// The sides of one edge, paired around each wedge of material; nothing where that is not clear.
-std::optional<Pairs> wedges(const TriangleMesh& mesh, std::vector<Side> sides) {
+/// Nothing where the sides do not alternate or two lie on each other.
+std::optional<Ring> ring_of(const TriangleMesh& mesh, Ring sides) {
   if (sides.size() % 2) return std::nullopt;
   const auto apex = [&](const Side& s) -> const Vec3& {
     return mesh.vertices[mesh.triangles[s.triangle][(s.corner + 2u) % 3]];
@@ -47,53 +49,93 @@ std::optional<Pairs> wedges(const TriangleMesh& mesh, std::vector<Side> sides) {
   const AroundEdge around(a, b, apex(sides[0]));
   std::sort(sides.begin(), sides.end(),
             [&](const Side& s, const Side& t) { return around.compare(apex(s), apex(t)) < 0; });
-  Pairs pairs;
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const Side &s = sides[k], &next = sides[(k + 1) % sides.size()];
     if (s.forward == next.forward || around.compare(apex(s), apex(next)) == 0) return std::nullopt;
-    // Going round, material begins behind a backward side and ends at a forward one.
-    if (!s.forward) pairs.emplace_back(s, next);
   }
-  return pairs;
+  if (sides[0].forward) std::rotate(sides.begin(), sides.begin() + 1, sides.end());
+  return sides;
+}
+
+/// A crowded edge and how its sides are paired. Going round, material begins behind a backward side and ends
+/// at a forward one: pairs enclose material, or else what is between, so that the material runs through the
+/// edge.
+struct Crowded {
+  Ring ring;
+  bool around_material = true;
+
+  template <class Visit>
+  void for_each_pair(Visit&& visit) const {
+    const std::size_t first = around_material ? 0 : 1;
+    for (std::size_t k = first; k < ring.size() + first; k += 2) visit(ring[k], ring[(k + 1) % ring.size()]);
+  }
+};
+
+/// The mesh with a vertex for every fan that the pairs leave at the ends of the edges.
+TriangleMesh split(const TriangleMesh& mesh, DisjointSets fans, const std::vector<Crowded>& edges) {
+  std::vector<char> touched(mesh.vertices.size(), 0), taken(mesh.vertices.size(), 0);
+  for (const Crowded& edge : edges) {
+    touched[edge.ring[0].low] = touched[edge.ring[0].high] = 1;
+    edge.for_each_pair([&](const Side& s, const Side& t) {
+      for (const bool at_low : {true, false}) fans.join(s.corner_at(at_low), t.corner_at(at_low));
+    });
+  }
+  constexpr std::uint32_t none = ~0u;
+  std::vector<std::uint32_t> vertex_of_fan(3 * mesh.triangles.size(), none);
+  TriangleMesh result = mesh;
+  for (std::uint32_t corner = 0; corner < vertex_of_fan.size(); ++corner) {
+    std::uint32_t& v = result.triangles[corner / 3][corner % 3];
+    std::uint32_t& mine = vertex_of_fan[fans.find(corner)];
+    if (mine == none) {
+      mine = v;
+      if (touched[v] && taken[v]) {  // the first fan keeps the vertex
+        mine = std::uint32_t(result.vertices.size());
+        result.vertices.push_back(mesh.vertices[v]);
+      }
+      taken[v] = 1;
+    }
+    v = mine;
+  }
+  return result;
+}
+
+/// Do two pairs still run between the same vertices? So it is where they hang together around both ends.
+bool still_crowded(const TriangleMesh& mesh, const Crowded& edge) {
+  std::vector<std::array<std::uint32_t, 2>> ends;
+  const auto vertex = [&](const Side& s, bool at_low) {
+    const std::uint32_t corner = s.corner_at(at_low);
+    return mesh.triangles[corner / 3][corner % 3];
+  };
+  edge.for_each_pair([&](const Side& s, const Side&) {
+    ends.push_back({vertex(s, true), vertex(s, false)});
+  });
+  std::sort(ends.begin(), ends.end());
+  return std::adjacent_find(ends.begin(), ends.end()) != ends.end();
 }
 
 }  // namespace
 
 std::size_t separate_edges(TriangleMesh& mesh) {
   const std::vector<Side> sides = sorted_sides(mesh);
-  Pairs pairs;
-  std::size_t separated = 0;
-  std::vector<char> touched(mesh.vertices.size(), 0);  // ends of separated edges
+  std::vector<Crowded> edges;
   for_each_edge(sides, [&](auto first, auto last) {
     if (last - first <= 2) return;
-    if (const auto found = wedges(mesh, {first, last})) {
-      pairs.insert(pairs.end(), found->begin(), found->end());
-      touched[first->low] = touched[first->high] = 1;
-      ++separated;
-    }
+    if (auto ring = ring_of(mesh, {first, last})) edges.push_back({std::move(*ring)});
   });
-  if (!separated) return 0;
-  DisjointSets fans = corner_fans(mesh, sides);
-  for (const auto& [s, t] : pairs)
-    for (const bool at_low : {true, false}) fans.join(s.corner_at(at_low), t.corner_at(at_low));
-
-  constexpr std::uint32_t none = ~0u;
-  std::vector<std::uint32_t> vertex_of_fan(3 * mesh.triangles.size(), none);
-  std::vector<char> taken(mesh.vertices.size(), 0);  // the first fan keeps the vertex
-  for (std::uint32_t corner = 0; corner < vertex_of_fan.size(); ++corner) {
-    std::uint32_t& v = mesh.triangles[corner / 3][corner % 3];
-    std::uint32_t& mine = vertex_of_fan[fans.find(corner)];
-    if (mine == none) {
-      mine = v;
-      if (touched[v] && taken[v]) {
-        mine = std::uint32_t(mesh.vertices.size());
-        mesh.vertices.push_back(Vec3(mesh.vertices[v]));
-      }
-      if (v < taken.size()) taken[v] = 1;
+  if (edges.empty()) return 0;
+  const DisjointSets fans = corner_fans(mesh, sides);
+  TriangleMesh result = split(mesh, fans, edges);
+  bool changed = false;
+  for (Crowded& edge : edges)
+    if (still_crowded(result, edge)) {
+      edge.around_material = false;
+      changed = true;
     }
-    v = mine;
-  }
-  return separated;
+  if (changed) result = split(mesh, fans, edges);
+  const auto separated =
+      std::count_if(edges.begin(), edges.end(), [&](const Crowded& e) { return !still_crowded(result, e); });
+  mesh = std::move(result);
+  return std::size_t(separated);
 }
 
 }  // namespace kreisel
