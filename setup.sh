@@ -8,9 +8,11 @@ packages=(
   g++ cmake ninja-build git pkg-config                                # build
   opencl-clhpp-headers ocl-icd-opencl-dev pocl-opencl-icd             # OpenCL and its CPU device
   libeigen3-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
-  libopenmesh-dev libembree-dev libhdf5-dev
+  libopenmesh-dev lib3mf-dev libembree-dev libhdf5-dev
+  libarchive-dev                                                      # unpacks the real meshes
   coinor-libipopt-dev libopenblas0-pthread                            # Ipopt with MUMPS; OpenBLAS speeds MUMPS up
   libgtest-dev libbenchmark-dev
+  libcgal-demo                                                        # real meshes (18 MB) for tests and experiments; data only
   python3-h5py python3-matplotlib                                     # plots and the records' tests
 )
 case "${1:-}" in

@@ -1,5 +1,8 @@
 """Reads records of runs (schema: results/README.md) into plain dicts, read-only."""
 
+import argparse
+import collections
+import json
 import pathlib
 import sys
 
@@ -8,6 +11,9 @@ import h5py
 SCHEMA = "kreisel run"
 NEWEST = 1
 LARGE = ("x", "history", "intervals")  # datasets that grow with the resolution or the solve
+
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 class BadRecord(Exception):
@@ -59,6 +65,96 @@ def read_folder(folder, arrays=False):
     if not found:
         raise BadRecord(f"{folder}: no records (*.h5) in it")
     return found
+
+
+def with_results(found):
+    """Those that did not end in an error."""
+    return [r for r in found if "error" not in r]
+
+
+def converged(run):
+    return run.get("termination") in ("optimal", "acceptable")
+
+
+def grid_text(run):
+    return "×".join(str(n) for n in run["domain"]["grid"])
+
+
+def seconds(run):
+    """Median of the solve, set-up excluded."""
+    return float(run["solve"]["median"][0, 2])
+
+
+def by_body(found, *keys):
+    """{(model, grid, problem, *keys): runs}, in the order of `found`."""
+    groups = collections.defaultdict(list)
+    for run in found:
+        groups[(run["model"], grid_text(run), run["problem"], *(run[key] for key in keys))].append(run)
+    return groups
+
+
+BODY = ("model", "resolution", "problem", "formulation")
+
+
+def differences(runs):
+    """For each run the fields of its configuration that not all of them share: {name without group: text}.
+
+    The runs are of one body and formulation; a field that a run leaves at its default is absent.
+    """
+    names = {name for run in runs for name in run["config"] if name not in BODY}
+    varied = sorted(n for n in names if len({run["config"].get(n) for run in runs}) > 1)
+    return [{n.split(".", 1)[-1]: run["config"][n] for n in varied if n in run["config"]} for run in runs]
+
+
+def setting_text(fields):
+    return ", ".join(f"{name} = {value}" for name, value in fields.items()) or "defaults"
+
+
+def published_path(name):
+    """In the source tree results/published, once installed beside this folder."""
+    for folder in (ROOT / "published", ROOT / "results" / "published"):
+        if (folder / f"{name}.json").is_file():
+            return folder / f"{name}.json"
+    raise BadRecord(f"published numbers '{name}': no such file under {ROOT}")
+
+
+def read_published(path):
+    """Source and rows of a paper's numbers."""
+    try:
+        data = json.loads(pathlib.Path(path).read_text())
+        return str(data["source"]), [dict(row) for row in data["rows"]]
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise BadRecord(f"{path}: not published numbers: {error}") from None
+
+
+def published_row(rows, run):
+    """The row of a run's model, grid and problem, or None; a row without a grid or problem fits every one."""
+    grid = [int(n) for n in run["domain"]["grid"]]
+    for row in rows:
+        if (row.get("model") == run["model"] and row.get("grid", grid) == grid
+                and row.get("problem", run["problem"]) == run["problem"]):
+            return row
+    return None
+
+
+def draw_folder(figure, description, name, published=None):
+    """The command line of a script that draws a folder of records: FOLDER -o PNG [--published JSON].
+
+    figure(records, path of published numbers or None) returns a figure, or throws BadRecord.
+    """
+    parser = argparse.ArgumentParser(description=description.splitlines()[0])
+    parser.add_argument("folder", help="folder of records (*.h5), searched with its sub-folders")
+    parser.add_argument("-o", "--output", default=f"{name}.png", help="PNG to write (default %(default)s)")
+    if published:
+        parser.add_argument("--published", default=published, help="published numbers: name or JSON file "
+                            "(default %(default)s)")
+    args = parser.parse_args()
+    path = None
+    if published:
+        path = args.published if args.published.endswith(".json") else published_path(args.published)
+    found = sorted(read_folder(args.folder, arrays=True), key=lambda r: r["provenance"]["started"])
+    save(figure(found, path), args.output)
+    print(args.output)
 
 
 def provenance_line(records):

@@ -2,8 +2,10 @@
 """The optimised interior in a vertical plane: which part of the domain stays solid, which becomes void."""
 
 import argparse
+import pathlib
 
 import numpy as np
+from matplotlib.collections import LineCollection
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.patches import Patch
 
@@ -46,10 +48,11 @@ class Slab:
         self.y = self.corner[1] + (row + 0.5) * self.cell
 
     def segments(self):
-        """Ray-rep: both ends of each ray's solid segment."""
-        unit = self.run["solve"]["x_unit_length"] * self.mm
-        ends = self.run["solve"]["x"].reshape(-1, 2)[self.picked] * unit
-        return ends[:, 0], ends[:, 1]
+        """Ray-rep: both ends of each ray's solid segment. With one variable a ray it begins at the ray's lower end."""
+        x = self.run["solve"]["x"] * self.run["solve"]["x_unit_length"] * self.mm
+        rays = len(self.run["domain"]["intervals"])
+        ends = x.reshape(rays, -1)[self.picked]
+        return (self.low if ends.shape[1] == 1 else ends[:, 0]), ends[:, -1]
 
     def fills(self):
         """Voxel: the fill of every cell of the plane, [nz, nx]; NaN outside the domain."""
@@ -60,6 +63,35 @@ class Slab:
         for picked, (ix, _, k0, k1) in zip(self.picked, self.cells):
             plane[k0:k1, ix] = self.run["solve"]["x"][first[picked]:first[picked + 1]]
         return plane
+
+
+def outline(run, y):
+    """Where the written part crosses the plane, [segments, 2 ends, (x, z)] in mm of the body frame; None without it."""
+    file = pathlib.Path(run["verified"]["file"] or "none")
+    if not file.is_file():  # the record may have moved: meshes lie beside their records
+        file = pathlib.Path(run["path"]).with_suffix(".stl")
+    if not file.is_file():
+        return None
+    with open(file, "rb") as stl:
+        stl.seek(80)
+        count = int(np.fromfile(stl, "<u4", 1)[0])
+        corners = np.fromfile(stl, np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("more", "<u2")]),
+                              count)["corners"].astype(float)
+    body = run["body"]
+    corners = (corners - body["frame_origin"]) @ np.asarray(body["frame_rotation"]).T
+    above = corners[:, :, 1] > y
+    crossed = corners[above.any(axis=1) & ~above.all(axis=1)]
+    # The corner that is alone on its side comes first; both its edges cross.
+    above = crossed[:, :, 1] > y
+    alone = np.where(above.sum(axis=1) == 1, above.argmax(axis=1), (~above).argmax(axis=1))
+    rows = np.arange(len(crossed))
+    apex = crossed[rows, alone]
+    ends = []
+    for step in (1, 2):
+        other = crossed[rows, (alone + step) % 3]
+        t = (y - apex[:, 1]) / (other[:, 1] - apex[:, 1])
+        ends.append((apex + t[:, None] * (other - apex))[:, (0, 2)])
+    return np.stack(ends, axis=1)
 
 
 def draw_interior(axes, slab):
@@ -108,6 +140,11 @@ def draw(run, slab):
     axes = figure.add_axes((0.65 / wide, 1.05 / high, across / wide, up / high))
     axes.grid(False)
     draw_interior(axes, slab)
+    lines = outline(run, slab.y)
+    if lines is not None:
+        axes.add_collection(LineCollection(lines, colors=style.INK, linewidths=0.7, zorder=3))
+        left, bottom = np.minimum((left, bottom), lines.min(axis=(0, 1)) - pad)
+        right, top = np.maximum((right, top), lines.max(axis=(0, 1)) + pad)
     draw_marks(axes, slab)
     axes.set(aspect="equal", xlim=(left, right), ylim=(bottom, top), xlabel="x in mm, body frame",
              ylabel="z along the axis in mm")
@@ -118,7 +155,8 @@ def draw(run, slab):
     marks, _ = axes.get_legend_handles_labels()
     axes.legend(handles=handles + marks, loc="upper left", bbox_to_anchor=(1.01, 1), fontsize=8)
     hessian = run["config"].get("ipopt.hessian_approximation", "exact")
-    note = (f"Cut at y = {slab.y:.3g} mm; the shell is not drawn; centres of mass are projected onto the "
+    shell = "the shell is not drawn" if lines is None else "lines: surfaces of the written part"
+    note = (f"Cut at y = {slab.y:.3g} mm; {shell}; centres of mass are projected onto the "
             f"plane. {run['solver']}, Hessian {hessian}. Verified part: {run['verified']['text']}. "
             f"{records.provenance_line([run])}.")
     style.caption(figure, note)

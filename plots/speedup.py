@@ -7,8 +7,6 @@ than the Hessian: each side may have the settings that suit it best.
 
 import argparse
 import collections
-import json
-import pathlib
 import sys
 
 import records
@@ -20,10 +18,7 @@ SETTINGS = {
     "limited-memory": ("L-BFGS", style.VERMILION, "s"),
 }
 SECONDS = ("setup", "kernels", "solve", "total")
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-# In the source tree results/published, once installed beside this folder.
-FOLDERS = [folder for folder in (ROOT / "results" / "published", ROOT / "published") if folder.is_dir()]
-PUBLISHED = (FOLDERS + [ROOT])[0] / "rayrep_table2.json"
+PUBLISHED = "rayrep_table2"
 
 Point = collections.namedtuple("Point", "cells ratio low high grid")
 
@@ -35,7 +30,8 @@ def arguments():
     parser.add_argument("--seconds", choices=("solve", "total"), default="solve",
                         help="compare the solve alone, or with its set-up (default %(default)s)")
     parser.add_argument("--device", help="part of a device's name, where the folder holds several")
-    parser.add_argument("--published", default=PUBLISHED, type=pathlib.Path, help="JSON of published ratios")
+    parser.add_argument("--published", default=PUBLISHED, help="published ratios: name or JSON file "
+                        "(default %(default)s)")
     return parser.parse_args()
 
 
@@ -101,15 +97,14 @@ def series(runs, which):
     return lines, used
 
 
-def read_published(path):
-    try:
-        data = json.loads(path.read_text())
-        rows = collections.defaultdict(list)
-        for row in data["rows"]:
+def published_ratios(path):
+    """Where they come from, and {model: [(cells along the longest side, ratio)]}."""
+    source, all_rows = records.read_published(path)
+    rows = collections.defaultdict(list)
+    for row in all_rows:
+        if "speedup" in row:
             rows[row["model"]].append((max(row["grid"]), row["speedup"]))
-        return data["source"], {model: sorted(points) for model, points in rows.items()}
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise records.BadRecord(f"{path}: not a table of published ratios: {error}") from None
+    return source, {model: sorted(points) for model, points in rows.items()}
 
 
 def draw_panel(axes, model, hessians, published):
@@ -167,21 +162,27 @@ def draw(lines, source, published, note):
     return figure
 
 
-def main():
-    args = arguments()
-    runs, left_out = usable(records.read_folder(args.folder), args.device)
-    lines, used = series(runs, args.seconds)
+def figure(found, published, device=None, which="solve"):
+    """@throws BadRecord  no pair of converged runs, or records of several devices and none asked for."""
+    runs, left_out = usable(found, device)
+    lines, used = series(runs, which)
     if not lines:
-        raise records.BadRecord(f"{args.folder}: no two converged runs that differ in the formulation alone")
-    source, published = read_published(args.published)
+        raise records.BadRecord("no two converged runs that differ in the formulation alone")
+    source, ratios = published_ratios(published)
     repeats = sorted({len(r["solve"]["samples"]) for r in used})
-    times = "solve" if args.seconds == "solve" else "set-up and solve"
+    times = "solve" if which == "solve" else "set-up and solve"
     span = f"{repeats[0]} to {repeats[-1]}" if len(repeats) > 1 else str(repeats[0])
     note = (f"Median seconds of the {times}, voxel over ray-rep, {span} timed solves each; bars span the "
             f"ratios of single solves. {records.provenance_line(used)}.")
     if left_out:
         note += f" Left out for want of convergence: {left_out} of {left_out + len(runs)} runs."
-    records.save(draw(lines, source, published, note), args.output)
+    return draw(lines, source, ratios, note)
+
+
+def main():
+    args = arguments()
+    path = args.published if args.published.endswith(".json") else records.published_path(args.published)
+    records.save(figure(records.read_folder(args.folder), path, args.device, args.seconds), args.output)
     print(args.output)
 
 

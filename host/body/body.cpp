@@ -3,36 +3,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "body/mesh_moments.hpp"
-#include "body/models.hpp"
+#include "body/source.hpp"
 #include "error.hpp"
 #include "mesh/check.hpp"
-#include "mesh/read.hpp"
+#include "mesh/solid.hpp"
 
 namespace kreisel {
 namespace {
-
-struct Source {
-  TriangleMesh mesh;
-  const Model* model = nullptr;  ///< nullptr: from a file
-};
-
-Source load(const BodySpec& spec) {
-  if (const Model* model = find_model(spec.model)) {
-    if (spec.fineness < 0)
-      throw InputError(fmt::format("fineness {} of model '{}'; expected >= 1", spec.fineness, spec.model));
-    return {model->make(spec.fineness ? spec.fineness : model->default_fineness), model};
-  }
-  const std::filesystem::path path(spec.model);
-  if (!path.has_extension() && !std::filesystem::exists(path)) {
-    std::string names;
-    for (const Model& m : models()) names += fmt::format("{}{}", names.empty() ? "" : ", ", m.name);
-    throw InputError(fmt::format("model '{}' is neither a known name ({}) nor a file", spec.model, names));
-  }
-  return {read_mesh(path), nullptr};
-}
 
 /// Mean of the vertices that are lowest along the axis: a flat base gives its middle, a tip gives itself.
 Vec3 lowest_point(const TriangleMesh& mesh, const Vec3& axis) {
@@ -51,6 +30,24 @@ Vec3 lowest_point(const TriangleMesh& mesh, const Vec3& axis) {
   return sum / count;
 }
 
+/// A contact point far beside the body is a typing error: nothing there can be spun or stood on.
+void require_near_axis(const Body& body) {
+  const Eigen::Matrix3d turn = axis_to_z(body.axis);
+  TriangleMesh turned = body.mesh;
+  for (Vec3& v : turned.vertices) v = turn * v;
+  const Box box = bounding_box(turned);
+  const Vec3 at = turn * body.contact;
+  for (int a = 0; a < 2; ++a)
+    if (at[a] < box.lo[a] || at[a] > box.hi[a])
+      throw InputError(
+          fmt::format("contact {},{},{} lies off the axis: a line along {},{},{} through it misses the body, "
+                      "{:.4g} x {:.4g} x "
+                      "{:.4g} mm; expected a point of the axis, model coordinates in mm",
+                      body.contact[0], body.contact[1], body.contact[2], body.axis[0], body.axis[1],
+                      body.axis[2], bounding_box(body.mesh).extent()[0], bounding_box(body.mesh).extent()[1],
+                      bounding_box(body.mesh).extent()[2]));
+}
+
 Vec3 direction(const Vec3& v, const char* option) {
   if (!v.allFinite() || v.norm() == 0)
     throw InputError(
@@ -63,29 +60,41 @@ Vec3 direction(const Vec3& v, const char* option) {
 Body make_body(const BodySpec& spec, device::Device& device) {
   if (!(spec.density > 0) || !std::isfinite(spec.density))
     throw InputError(fmt::format("density {} g/cm^3; expected > 0", spec.density));
+  if (!(spec.void_density >= 0 && spec.void_density < spec.density))
+    throw InputError(
+        fmt::format("void density {} g/cm^3 in a material of {}; expected 0 or more, and less than it",
+                    spec.void_density, spec.density));
   if (spec.size && (!(*spec.size > 0) || !std::isfinite(*spec.size)))
     throw InputError(fmt::format("size {} mm; expected > 0", *spec.size));
 
-  Source source = load(spec);
-  require_solid(source.mesh, spec.model);
-
+  Source source = load_source(spec);
   Body body;
-  body.name =
-      source.model ? std::string(source.model->name) : std::filesystem::path(spec.model).stem().string();
+  body.name = source.name;
+  if (source.ours) {
+    require_solid(source.mesh, spec.model);
+  } else {
+    RepairReport report;
+    source.mesh = make_solid(std::move(source.mesh), spec.model, report);
+    body.repairs = std::move(report.lines);
+  }
   body.density = spec.density;
-  const double scale = spec.size ? *spec.size / bounding_box(source.mesh).extent().maxCoeff() : 1.0;
+  body.void_density = spec.void_density;
+  const std::optional<double> size = spec.size ? spec.size : source.size;
+  const double scale = size ? *size / bounding_box(source.mesh).extent().maxCoeff() : 1.0;
   for (Vec3& v : source.mesh.vertices) v *= scale;
   body.mesh = std::move(source.mesh);
 
-  const Vec3 up = spec.up        ? direction(*spec.up, "--up")
-                  : source.model ? source.model->axis
-                                 : Vec3(Vec3::UnitZ());
-  body.axis = spec.axis ? direction(*spec.axis, "--axis") : up.normalized();
+  const Vec3 up = spec.up ? direction(*spec.up, "--up") : source.up.normalized();
+  body.axis = spec.axis                        ? direction(*spec.axis, "--axis")
+              : spec.up || spec.stands_upright ? up
+                                               : source.axis.normalized();
   // A contact point given by hand is in the coordinates of the file as it is written out, after --size.
-  body.contact = spec.contact                            ? *spec.contact
-                 : source.model && source.model->contact ? Vec3(scale * *source.model->contact)
-                                                         : lowest_point(body.mesh, body.axis);
+  body.contact = spec.contact     ? *spec.contact
+                 : source.contact ? Vec3(scale * *source.contact)
+                                  : lowest_point(body.mesh, body.axis);
   if (!body.contact.allFinite()) throw InputError("--contact is not finite; expected three numbers, mm");
+
+  if (spec.contact) require_near_axis(body);
 
   const Moments about_origin = mesh_moments(body.mesh, device);
   body.frame = {axis_to_z(body.axis), body.contact, std::cbrt(about_origin[S1])};
@@ -94,6 +103,9 @@ Body make_body(const BodySpec& spec, device::Device& device) {
   return body;
 }
 
-MassModel hollowed(const Body& body, const Moments& interior) { return {body.solid - interior, 1.0}; }
+MassModel hollowed(const Body& body, const Moments& interior) {
+  const double contrast = 1 - body.void_share();
+  return {body.solid - contrast * interior, contrast};
+}
 
 }  // namespace kreisel

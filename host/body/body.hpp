@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "body/frame.hpp"
 #include "body/moments.hpp"
@@ -13,13 +14,17 @@ namespace kreisel {
 
 /// What the user says of a body; what is left out comes from the model, else from the defaults named here.
 struct BodySpec {
-  std::string model = "ellipsoid";  ///< a name of models(), or a mesh file
-  std::optional<Vec3> axis;         ///< spin axis, model coordinates; default `up`
-  std::optional<Vec3> up;           ///< default the model's axis, else +z
+  std::string model = "ellipsoid";  ///< a name of models() or debian_meshes(), or a mesh file
+  std::optional<Vec3> axis;     ///< spin axis, model coordinates; default `up` where given, else the model's
+  std::optional<Vec3> up;       ///< default the model's, else +z
   std::optional<Vec3> contact;  ///< a point of the axis; default the model's, else the lowest point along it
-  std::optional<double> size;   ///< longest side of the bounding box, mm; default as the model is
-  double density = 1.0;         ///< g/cm^3, > 0
-  int fineness = 0;             ///< of a parametric model; 0: the model's own default
+  /// Longest side of the bounding box, mm; default the model's, else as the file is.
+  std::optional<double> size;
+  double density = 1.0;       ///< g/cm^3, > 0
+  double void_density = 0.0;  ///< of what fills the voids, g/cm^3; >= 0, below `density`
+  int fineness = 0;           ///< of a parametric model; 0: the model's own default
+  /// The body frame's z is `up`, not the spin axis, unless `axis` is given.
+  bool stands_upright = false;
 };
 
 /// A solid of uniform density. Body units: lengths in L = V^(1/3), masses in the solid's own mass.
@@ -28,18 +33,26 @@ struct Body {
   TriangleMesh mesh;   ///< model coordinates, mm
   TriangleMesh local;  ///< the same in the body frame, body units
   Frame frame;
-  Vec3 axis, contact;    ///< as used, model coordinates
-  double density = 1.0;  ///< g/cm^3
-  Moments solid;         ///< of the whole solid, body frame and units; solid[S1] = 1 up to round-off
+  Vec3 axis, contact;                ///< as used, model coordinates
+  double density = 1.0;              ///< g/cm^3
+  double void_density = 0.0;         ///< g/cm^3
+  std::vector<std::string> repairs;  ///< what was mended in the file's mesh, one line each
+  Moments solid;  ///< of the whole solid, body frame and units; solid[S1] = 1 up to round-off
+
+  /// Density of the voids' filling in densities of the material.
+  [[nodiscard]] double void_share() const { return void_density / density; }
 
   [[nodiscard]] double mass_grams() const {
     return density * frame.length * frame.length * frame.length * 1e-3;
   }
 };
 
-/// Reads or makes the model, checks it, lays its frame and integrates its moments on the device.
+/// Reads or makes the model, mends a file's mesh where that is safe (repair.hpp), checks it, lays its frame
+/// and integrates its moments on the device.
 ///
-/// @throws InputError  unknown model, unreadable or unfit mesh, zero axis, size or density <= 0
+/// @throws InputError  unknown model, unreadable or unfit mesh, zero axis, size or density <= 0, voids as
+/// dense
+///                     as the material, a contact point whose axis misses the body
 [[nodiscard]] Body make_body(const BodySpec& spec, device::Device& device);
 
 /// Total moments from the designed part alone: s = fixed + contrast * s_domain, in body units.

@@ -15,6 +15,34 @@ const std::vector<Model>& models() {
        // 1.4 mm from the vertical through the centre of mass: far enough that the solid cannot spin, near
        // enough that the coarsest grid of [RayRep, table 2] is feasible with the midpoint bounds too.
        .contact = Vec3(27.0, 22.4, 0.0)},
+      {.name = "spheres",
+       .summary = "three balls in a slanting row, 30.3 x 60 x 60 mm, to float",
+       .make = spheres_shape},
+      {.name = "kitten",
+       .summary = "sitting kitten with a loop for a tail, 39.4 x 35.8 x 60 mm, to stand, float or spin",
+       .make = kitten_shape,
+       .contact = Vec3(16.6, 18.9, 0.0)},  // on the ground, in the middle of the rump
+      {.name = "duck",
+       .summary = "bath duck, 50.9 x 60 x 57.7 mm, to float",
+       .make = duck_shape,
+       .contact = Vec3(25.43, 30.7, 0.0)},  // the middle of its flat belly
+      {.name = "cuboid",
+       .summary = "60 x 40 x 30 mm, spins about z on a peg 3.4 mm beside its middle",
+       .make = cuboid_shape,
+       .contact = Vec3(27.0, 18.5, 0.0),
+       .default_fineness = 10},  // flat faces gain nothing from more
+      {.name = "heart",
+       .summary = "heart, 60 x 29.5 x 55.2 mm, spins about z on its tip",
+       .make = heart_shape,
+       .contact = Vec3(30.0, 14.7445, 0.0)},
+      {.name = "woven-ring",
+       .summary = "ring plaited from one knotted strand, 60 x 58.9 x 13.8 mm, spins about z",
+       .make = woven_ring_shape,
+       .contact = Vec3(30.0, 30.58251, 0.0)},  // the middle of the hole
+      {.name = "teapot",
+       .summary = "solid teapot with spout and handle, 60 x 36.2 x 34.5 mm, to stand or spin",
+       .make = teapot_shape,
+       .contact = Vec3(28.74, 18.124, 0.0)},  // the middle of its foot
   };
   return all;
 }

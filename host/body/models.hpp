@@ -15,8 +15,10 @@ struct Model {
   std::string_view name;
   std::string_view summary;            ///< one line for `bench list`
   TriangleMesh (*make)(int fineness);  ///< about 20 * fineness^2 triangles; closed, outward; fineness >= 1
-  Vec3 axis = Vec3::UnitZ();           ///< spin axis, also up
+  Vec3 axis = Vec3::UnitZ();           ///< spin axis
+  Vec3 up = axis;                      ///< as it stands or floats
   std::optional<Vec3> contact = {};    ///< a point of the axis; default the lowest point along the axis
+  double size = 60;                    ///< longest side of its bounding box
   int default_fineness = 64;
 };
 

@@ -13,15 +13,26 @@ namespace {
 double cross(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// One chain of the hull, points sorted; keeps left turns only. [Andrew 1979, monotone chain]
-template <class Range>
-std::vector<Vec2> chain(const Range& sorted, double negligible) {
+std::vector<Vec2> chain(const std::vector<Vec2>& sorted) {
   std::vector<Vec2> out;
   for (const Vec2& p : sorted) {
-    while (out.size() >= 2 && cross(out.back() - out[out.size() - 2], p - out.back()) <= negligible)
-      out.pop_back();
+    while (out.size() >= 2 && cross(out.back() - out[out.size() - 2], p - out.back()) <= 0) out.pop_back();
     out.push_back(p);
   }
   return out;
+}
+
+/// Drops the corners of a convex polygon that span next to nothing with their neighbours. Not part of
+/// chain(): there the next point may lie behind, and a true corner with it.
+void drop_flat(std::vector<Vec2>& corners, double negligible) {
+  for (std::size_t i = 0; corners.size() >= 3 && i < corners.size();) {
+    const Vec2& before = corners[(i + corners.size() - 1) % corners.size()];
+    const Vec2& after = corners[(i + 1) % corners.size()];
+    if (cross(corners[i] - before, after - corners[i]) <= negligible)
+      corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
+    else
+      ++i;
+  }
 }
 
 }  // namespace
@@ -37,19 +48,19 @@ SupportPolygon hull_of(std::vector<Vec2> points) {
   if (points.size() < 3) return polygon;
   std::ranges::sort(
       points, [](const Vec2& a, const Vec2& b) { return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]); });
-  // Corners that stick out by round-off of a flat base's coordinates are none.
   const double size = (points.back() - points.front()).norm();
-  const double negligible = 1e-12 * size * size;
-  std::vector<Vec2> lower = chain(points, negligible);
+  std::vector<Vec2> corners = chain(points);
   std::ranges::reverse(points);
-  const std::vector<Vec2> upper = chain(points, negligible);
-  lower.pop_back();
-  lower.insert(lower.end(), upper.begin(), upper.end() - 1);
-  if (lower.size() < 3) return polygon;
+  const std::vector<Vec2> upper = chain(points);
+  corners.pop_back();
+  corners.insert(corners.end(), upper.begin(), upper.end() - 1);
+  // Corners that stick out by round-off of a flat base's coordinates are none.
+  drop_flat(corners, 1e-12 * size * size);
+  if (corners.size() < 3) return polygon;
 
-  const Vec2 first = lower.front();
-  for (std::size_t i = 0; i < lower.size(); ++i) {
-    const Vec2 &a = lower[i], &b = lower[(i + 1) % lower.size()];
+  const Vec2 first = corners.front();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
     const double twice = cross(a - first, b - first);
     polygon.area += twice / 2;
     polygon.centroid += twice / 6 * (a - first + b - first);
@@ -57,7 +68,7 @@ SupportPolygon hull_of(std::vector<Vec2> points) {
     polygon.edges.push_back({n, n.dot(a)});
   }
   polygon.centroid = first + polygon.centroid / polygon.area;
-  polygon.corners = std::move(lower);
+  polygon.corners = std::move(corners);
   return polygon;
 }
 

@@ -11,8 +11,12 @@ namespace kreisel {
 namespace {
 
 void require_count(int n, const char* what) {
-  if (n < 2 || n > Grid::most_cells)
-    throw InputError(fmt::format("{} of {} cells; expected 2 to {}", what, n, Grid::most_cells));
+  if (n >= 2 && n <= Grid::most_cells) return;
+  // A column's crossings are the least that a domain keeps: a list and two entries.
+  constexpr double column_bytes = 56, gibi = 1 << 30;
+  const std::string need =
+      n < 2 ? "" : fmt::format(" (the columns alone would need {:.3g} GiB)", column_bytes * n * n / gibi);
+  throw InputError(fmt::format("{} of {} cells{}; expected 2 to {}", what, n, need, Grid::most_cells));
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 
 #include "error.hpp"
 #include "experiment/data_folder.hpp"
+#include "experiment/table.hpp"
+#include "nearest.hpp"
 
 namespace kreisel {
 namespace fs = std::filesystem;
@@ -27,10 +29,23 @@ struct Assignment {
   toml::source_position at;
 };
 
+/// The lines of the comment that the text begins with, without "# ".
+std::string opening_comment(std::string_view text) {
+  std::string comment;
+  while (text.starts_with('#')) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::size_t skip = text.substr(0, end).starts_with("# ") ? 2 : 1;
+    comment.append(text.substr(skip, end - skip)).append("\n");
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return comment;
+}
+
 class Parser {
  public:
   Parser(std::string_view text, const fs::path& file) : file_(file.string()) {
     experiment_.name = experiment_.title = file.stem().string();
+    experiment_.about = opening_comment(text);
     try {
       root_ = toml::parse(text);
     } catch (const toml::parse_error& error) {
@@ -52,6 +67,8 @@ class Parser {
         experiment_.published = string_of(key.str(), node, line);
       } else if (key == "table") {
         experiment_.table = table_of(node, line);
+      } else if (key == "figures") {
+        experiment_.figures = figures_of(node, line);
       } else if (key == "run") {
         runs = node.as_array();
         if (!runs || !runs->is_homogeneous(toml::node_type::table))
@@ -81,11 +98,24 @@ class Parser {
     return *value;
   }
 
-  Experiment::Table table_of(const toml::node& node, unsigned line) const {
-    const std::string text = string_of("table", node, line);
-    if (text == "runs") return Experiment::Table::runs;
-    if (text == "speedup") return Experiment::Table::speedup;
-    fail(line, fmt::format("table = '{}', expected runs or speedup", text));
+  std::string table_of(const toml::node& node, unsigned line) const {
+    const std::string name = string_of("table", node, line);
+    try {
+      (void)find_table_kind(name);
+    } catch (const InputError& error) {
+      fail(line, error.what());
+    }
+    return name;
+  }
+
+  /// Stems of scripts; whether there are such scripts is seen when they are called.
+  std::vector<std::string> figures_of(const toml::node& node, unsigned line) const {
+    const toml::array* list = node.as_array();
+    if (!list) fail(line, "figures is not a list, expected names of scripts in quotes");
+    std::vector<std::string> names;
+    for (const toml::node& item : *list)
+      names.push_back(string_of("a name among figures", item, item.source().begin.line));
+    return names;
   }
 
   /// One key of the top level or of a run.
@@ -224,7 +254,9 @@ fs::path find_experiment(const std::string& name_or_path) {
         return file;
   (void)data_folder();  // a folder that is missing is the nearer reason: throws
   const auto names = experiment_names();
-  throw InputError(fmt::format("experiment '{}': no such file, expected a TOML file{}", name_or_path,
+  const std::string meant = nearest(name_or_path, names);
+  throw InputError(fmt::format("experiment '{}': no such file{}, expected a TOML file{}", name_or_path,
+                               meant.empty() ? "" : fmt::format(" (did you mean '{}'?)", meant),
                                names.empty() ? "" : fmt::format(" or one of {}", fmt::join(names, ", "))));
 }
 

@@ -19,11 +19,11 @@ struct ExperimentRun {
 
 /// A parsed experiment file.
 struct Experiment {
-  enum class Table { runs, speedup };
-
-  std::string name;   ///< stem of the file; the folder of its records
-  std::string title;  ///< one line; the name when the file gives none
-  Table table = Table::runs;
+  std::string name;                  ///< stem of the file; the folder of its records
+  std::string title;                 ///< one line; the name when the file gives none
+  std::string about;                 ///< the comment that opens the file, without its marks
+  std::string table = "runs";        ///< a name of table_kinds()
+  std::vector<std::string> figures;  ///< scripts of plots/ that draw its records, without ".py"
   std::string published;  ///< published numbers to print beside ours, see published_file(); may be empty
   std::vector<ExperimentRun> runs;
 };
@@ -31,7 +31,7 @@ struct Experiment {
 /// Reads an experiment. Top-level keys are defaults of every run, `[[run]]` tables override them key by key,
 /// and lists multiply out: the key that comes first in the file varies slowest.
 ///
-///     title, table ("runs" or "speedup"), published      of the experiment, top level only
+///     title, table (see table_kinds()), published, figures   of the experiment, top level only
 ///     label, mesh                                        of a run, never lists
 ///     every key of set_field() except GROUP.NAME         a string, number or boolean (written yes or no)
 ///     set.GROUP.NAME or set."GROUP.NAME"                 solver, problem and formulation settings

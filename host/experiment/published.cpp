@@ -17,11 +17,21 @@ std::optional<PublishedRow::Side> side(const nlohmann::json& row, const char* na
   return PublishedRow::Side{found.at("variables").get<int>(), found.at("seconds").get<double>()};
 }
 
+std::optional<PublishedRow::Inertia> inertia(const nlohmann::json& row) {
+  if (!row.contains("inertia")) return std::nullopt;
+  using Six = std::array<double, 6>;
+  const auto& found = row.at("inertia");
+  return PublishedRow::Inertia{found.at("before").get<Six>(), found.at("after").get<Six>()};
+}
+
 }  // namespace
 
-const PublishedRow* Published::find(const std::string& model, const std::array<int, 3>& grid) const {
-  const auto at = std::find_if(rows.begin(), rows.end(),
-                               [&](const auto& row) { return row.model == model && row.grid == grid; });
+const PublishedRow* Published::find(const std::string& model, const std::optional<std::array<int, 3>>& grid,
+                                    const std::string& problem) const {
+  const auto at = std::find_if(rows.begin(), rows.end(), [&](const PublishedRow& row) {
+    return row.model == model && (!row.grid || row.grid == grid) &&
+           (row.problem.empty() || problem.empty() || row.problem == problem);
+  });
   return at == rows.end() ? nullptr : &*at;
 }
 
@@ -34,10 +44,12 @@ Published read_published(const std::filesystem::path& file) {
     for (const auto& row : json.at("rows")) {
       PublishedRow& out = published.rows.emplace_back();
       out.model = row.at("model").get<std::string>();
-      out.grid = row.at("grid").get<std::array<int, 3>>();
+      if (row.contains("grid")) out.grid = row.at("grid").get<std::array<int, 3>>();
+      out.problem = row.value("problem", "");
       out.rayrep = side(row, "rayrep");
       out.voxel = side(row, "voxel");
       if (row.contains("speedup")) out.speedup = row.at("speedup").get<double>();
+      out.inertia = inertia(row);
     }
     return published;
   } catch (const nlohmann::json::exception& error) {

@@ -15,18 +15,27 @@ struct PublishedRow {
     int variables = 0;
     double seconds = 0;
   };
-  std::string model;
-  std::array<int, 3> grid{};  ///< cells along x, y, z
+  /// Inertia about the centre of mass as printed: Ixx Iyy Izz Ixy Iyz Ixz, unit unknown.
+  struct Inertia {
+    std::array<double, 6> before{}, after{};
+  };
+  std::string model;                       ///< as this project names it; the file says how the paper does
+  std::optional<std::array<int, 3>> grid;  ///< cells along x, y, z
+  std::string problem;                     ///< empty: the paper's only one
   std::optional<Side> rayrep, voxel;
   std::optional<double> speedup;  ///< as printed there, from times that were not rounded
+  std::optional<Inertia> inertia;
 };
 
 struct Published {
   std::string source, machine;
   std::vector<PublishedRow> rows;
 
-  /// The row, or nullptr.
-  [[nodiscard]] const PublishedRow* find(const std::string& model, const std::array<int, 3>& grid) const;
+  /// The first row of that model, grid and problem, or nullptr. A row without a grid fits every grid, one
+  /// without a problem every problem. @param grid  empty: unknown, fits rows without one
+  [[nodiscard]] const PublishedRow* find(const std::string& model,
+                                         const std::optional<std::array<int, 3>>& grid,
+                                         const std::string& problem = {}) const;
 };
 
 /// @throws InputError  unreadable, not JSON, or a field missing or of another type; names file and fault

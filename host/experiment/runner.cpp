@@ -16,11 +16,22 @@ namespace kreisel {
 namespace fs = std::filesystem;
 namespace {
 
+/// Whether more timed solves are asked for than when the record was made, and would be made now. A record
+/// that was asked the same is as good as another one would be.
+bool wants_more_samples(const RunConfig& config, const RecordSummary& record) {
+  double spent = 0;
+  for (const Seconds& sample : record.samples) spent += sample.solve;
+  return (record.repeat < config.repeat || record.budget_seconds < config.budget_seconds) &&
+         record.samples.size() < static_cast<std::size_t>(config.repeat) && spent < config.budget_seconds;
+}
+
 RunState state_of(const PlannedRun& run) {
   std::error_code ignored;
   if (!fs::exists(run.record, ignored)) return RunState::missing;
-  if (!read_record(run.record).error.empty()) return RunState::failed;
+  const RecordSummary record = read_record(run.record);
+  if (!record.error.empty()) return RunState::failed;
   if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
+  if (wants_more_samples(run.config, record)) return RunState::few_samples;
   return RunState::finished;
 }
 
@@ -32,6 +43,8 @@ std::string_view text_of(RunState state) {
       return "to run again, failed";
     case RunState::without_mesh:
       return "to run again, no mesh";
+    case RunState::few_samples:
+      return "to run again, timed less";
     case RunState::finished:
       return "finished";
   }
@@ -130,7 +143,7 @@ std::string dry_run(const Experiment& experiment, const RunnerOptions& options) 
   for (const PlannedRun& run : plan) {
     if (run.state == RunState::finished) ++finished;
     text +=
-        fmt::format("{:<21}  {:<40}  {}\n", text_of(run.state), run_text(run.config), run.record.string());
+        fmt::format("{:<24}  {:<40}  {}\n", text_of(run.state), run_text(run.config), run.record.string());
   }
   text += fmt::format("{}: {} to run, {} finished\n", experiment.name, plan.size() - finished, finished);
   return text;
@@ -172,7 +185,10 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
     }
     const double seconds = progress.end(result.has_value());
 
-    if (result && result->outcome.termination != Termination::interrupted) {
+    // Interrupted between two timed solves: whole, but timed less often than asked.
+    const bool cut_short =
+        result && result->samples.size() < static_cast<std::size_t>(run.config.repeat) && hooks.interrupted();
+    if (result && !cut_short && result->outcome.termination != Termination::interrupted) {
       mesh.keep(*result);
       write_record(run.record, *result);
       ++counts.done;

@@ -33,6 +33,7 @@ enum class RunState {
   missing,
   failed,        ///< an error is on record; it is run again
   without_mesh,  ///< the record is there, the mesh that the experiment keeps is not; it is run again
+  few_samples,   ///< fewer timed solves were asked for than now, and there is time for more; it is run again
   finished       ///< whatever its termination: a solver that gave up is a result
 };
 

@@ -27,21 +27,7 @@ struct Group {
 
 bool has(const RecordedRun* side) { return side && has_result(*side); }
 
-bool comparable(const RecordedRun* side) {
-  return has(side) && (side->record->termination == "optimal" || side->record->termination == "acceptable");
-}
-
-std::optional<std::array<int, 3>> cells_of(const RecordedRun& run) {
-  if (run.run.config.grid.cells) return run.run.config.grid.cells;
-  if (has_result(run)) return run.record->grid;
-  return std::nullopt;
-}
-
-template <class Item, class Matches, class Make>
-Item& find_or_add(std::vector<Item>& items, Matches matches, Make make) {
-  const auto at = std::find_if(items.begin(), items.end(), matches);
-  return at != items.end() ? *at : items.emplace_back(make());
-}
+bool comparable(const RecordedRun* side) { return side && is_converged(*side); }
 
 std::vector<Group> groups_of(const std::vector<RecordedRun>& runs,
                              const std::optional<Published>& published) {
@@ -61,7 +47,7 @@ std::vector<Group> groups_of(const std::vector<RecordedRun>& runs,
         });
     if (config.formulation == "rayrep") row.rayrep = &run;
     if (config.formulation == "voxel") row.voxel = &run;
-    if (const auto cells = cells_of(run); cells && published) row.published = published->find(model, *cells);
+    if (const PublishedRow* found = find_row(run, published)) row.published = found;
   }
   if (published)
     for (Group& group : groups) {
@@ -109,20 +95,15 @@ std::optional<PublishedRow::Side> published_side(const Row& row, bool rays) {
   return rays ? row.published->rayrep : row.published->voxel;
 }
 
-std::string cell(const std::optional<double>& value, fmt::format_string<const double&> format,
-                 const char* missing = "-") {
-  return value ? fmt::format(format, *value) : missing;
-}
-
-void add_side(std::vector<std::string>& cells, const RecordedRun* side) {
-  if (!has(side)) {
-    cells.insert(cells.end(), {"-", side && side->record ? "- !" : "-", "-", "-"});
-    return;
-  }
-  const RecordSummary& r = *side->record;
-  cells.insert(cells.end(),
-               {fmt::format("{}", r.variables), seconds_text(r) + (is_optimal(*side) ? "" : " !"),
-                fmt::format("{}", r.iterations), fmt::format("{:.6g}", r.objective)});
+void add_side(std::vector<Cell>& cells, const RecordedRun* side,
+              const std::optional<PublishedRow::Side>& there) {
+  RecordedRun nothing;
+  SolveCells solve(side ? *side : nothing);
+  if (side && side->record && !is_optimal(*side)) solve.seconds.text += " !";
+  cells.insert(cells.end(), {solve.variables, solve.seconds, solve.half_iqr, solve.samples, solve.iterations,
+                             solve.objective, side ? termination_text(*side) : "",
+                             there ? fmt::format("{}", there->variables) : "",
+                             there ? fmt::format("{}", there->seconds) : ""});
 }
 
 /// "ipopt, hessian_approximation=exact": what sets the runs of one side apart from the defaults.
@@ -138,14 +119,6 @@ std::string settings_text(const Group& group, const RecordedRun* Row::*side) {
   return distinct.empty() ? "-" : fmt::format("{}", fmt::join(distinct, " | "));
 }
 
-void add_note(std::string& notes, const Row& row, const RecordedRun* side, std::string_view name) {
-  if (!side || !side->record || is_optimal(*side)) return;
-  const RecordSummary& r = *side->record;
-  const std::string& words = r.error.empty() ? r.message : r.error;
-  notes += fmt::format("! {} {}, {}: {}{}{}\n", row.model, row.grid, name, termination_text(*side),
-                       words.empty() ? "" : " - ", words);
-}
-
 std::vector<RecordedRun> members(const Group& group) {
   std::vector<RecordedRun> all;
   for (const Row& row : group.rows)
@@ -154,94 +127,66 @@ std::vector<RecordedRun> members(const Group& group) {
   return all;
 }
 
-std::string group_text(const Group& group, const std::optional<Published>& published) {
-  TextTable table({{"", "model, grid", true},
-                   {"ray-rep", "vars"},
-                   {"ray-rep", "seconds"},
-                   {"ray-rep", "iter"},
-                   {"ray-rep", "f"},
-                   {"voxel", "vars"},
-                   {"voxel", "seconds"},
-                   {"voxel", "iter"},
-                   {"voxel", "f"},
-                   {"f", "diff %"},
-                   {"speed-up", "here"},
-                   {"speed-up", "paper"},
-                   {"speed-up", "ratio"},
-                   {"vars, %", "ray"},
-                   {"vars, %", "voxel"}});
-  std::string notes;
-  for (const Row& row : group.rows) {
-    std::vector<std::string> cells = {row.model + ' ' + row.grid};
-    add_side(cells, row.rayrep);
-    add_side(cells, row.voxel);
-    cells.insert(cells.end(), {cell(difference(row), "{:+.3f}"), cell(speedup(row), "{:.2f}"),
-                               cell(published_speedup(row), "{:.2f}"), cell(ratio(row), "{:.2f}"),
-                               cell(excess(row.rayrep, published_side(row, true)), "{:+.1f}"),
-                               cell(excess(row.voxel, published_side(row, false)), "{:+.1f}")});
-    table.add(cells);
-    add_note(notes, row, row.rayrep, "ray-rep");
-    add_note(notes, row, row.voxel, "voxel");
+std::vector<Sheet::Column> columns() {
+  std::vector<Sheet::Column> all = {
+      {"label", "", ""}, {"model", "", ""}, {"grid", "", ""}, {"", "", "model, grid", true}};
+  for (const std::string side : {"rayrep", "voxel"}) {
+    const std::string group = side == "rayrep" ? "ray-rep" : side;
+    const auto add = [&](const char* data, const char* heading) {
+      all.push_back({side + '_' + data, group, heading});
+    };
+    add("variables", "vars");
+    add("seconds", "seconds");
+    for (const char* data : {"seconds_half_iqr", "samples"}) add(data, "");
+    add("iterations", "iter");
+    add("objective", "f");
+    for (const char* data : {"termination", "published_variables", "published_seconds"}) add(data, "");
   }
-  std::string text =
-      fmt::format("{}\n  ray-rep: {}\n  voxel:   {}\n", group.label.empty() ? "all runs" : group.label,
-                  settings_text(group, &Row::rayrep), settings_text(group, &Row::voxel));
-  text += table.text() + notes + provenance_text(members(group)) + '\n';
-  if (published) text += fmt::format("paper: {}\n", published->machine);
-  return text;
+  all.insert(all.end(), {{"objective_difference_percent", "f", "diff %"},
+                         {"speedup", "speed-up", "here"},
+                         {"published_speedup", "speed-up", "paper"},
+                         {"speedup_ratio", "speed-up", "ratio"},
+                         {"rayrep_variables_excess_percent", "vars, %", "ray"},
+                         {"voxel_variables_excess_percent", "vars, %", "voxel"}});
+  return all;
+}
+
+Block block_of(const Group& group, const std::optional<Published>& published) {
+  Block block{fmt::format("{}\n  ray-rep: {}\n  voxel:   {}", group.label.empty() ? "all runs" : group.label,
+                          settings_text(group, &Row::rayrep), settings_text(group, &Row::voxel)),
+              Sheet(columns()),
+              {}};
+  for (const Row& row : group.rows) {
+    const std::string name = row.model + ' ' + row.grid;
+    std::vector<Cell> cells = {group.label, row.model, row.grid, name};
+    add_side(cells, row.rayrep, published_side(row, true));
+    add_side(cells, row.voxel, published_side(row, false));
+    cells.insert(cells.end(), {Cell::of(difference(row), "{:+.3f}"), Cell::of(speedup(row), "{:.2f}"),
+                               Cell::of(published_speedup(row), "{:.2f}"), Cell::of(ratio(row), "{:.2f}"),
+                               Cell::of(excess(row.rayrep, published_side(row, true)), "{:+.1f}"),
+                               Cell::of(excess(row.voxel, published_side(row, false)), "{:+.1f}")});
+    block.sheet.add(std::move(cells));
+    if (row.rayrep) block.notes += note_of(*row.rayrep, true, name + ", ray-rep");
+    if (row.voxel) block.notes += note_of(*row.voxel, true, name + ", voxel");
+  }
+  block.notes += provenance_text(members(group)) + '\n';
+  if (published) block.notes += fmt::format("paper: {}\n", published->machine);
+  return block;
 }
 
 }  // namespace
 
-std::string speedup_table(const std::vector<RecordedRun>& runs, const std::optional<Published>& published) {
-  std::string text;
-  for (const Group& group : groups_of(runs, published)) text += group_text(group, published) + '\n';
-  text +=
+Tables speedup_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>& published) {
+  Tables tables;
+  for (const Group& group : groups_of(runs, published)) tables.blocks.push_back(block_of(group, published));
+  tables.legend =
       "seconds: median ± half the interquartile range of the solve, set-up excluded; f: objective; diff %: "
       "ray-rep's f above voxel's;\n"
       "speed-up: voxel seconds / ray-rep seconds; ratio: here / paper; vars, %: our counts of variables "
       "above the "
       "paper's\n";
-  if (published) text += published->source + '\n';
-  return text;
-}
-
-std::string speedup_csv(const std::vector<RecordedRun>& runs, const std::optional<Published>& published) {
-  std::vector<std::string> heading = {"label", "model", "grid"};
-  for (const std::string side : {"rayrep", "voxel"})
-    for (const std::string field : {"variables", "seconds", "seconds_half_iqr", "samples", "iterations",
-                                    "objective", "termination", "published_variables", "published_seconds"})
-      heading.push_back(side + '_' + field);
-  heading.insert(heading.end(),
-                 {"objective_difference_percent", "speedup", "published_speedup", "speedup_ratio",
-                  "rayrep_variables_excess_percent", "voxel_variables_excess_percent"});
-  std::string csv = csv_line(heading);
-  for (const Group& group : groups_of(runs, published))
-    for (const Row& row : group.rows) {
-      std::vector<std::string> cells = {group.label, row.model, row.grid};
-      for (const bool rays : {true, false}) {
-        const RecordedRun* side = rays ? row.rayrep : row.voxel;
-        if (has(side)) {
-          const RecordSummary& r = *side->record;
-          cells.insert(cells.end(), {fmt::format("{}", r.variables), fmt::format("{}", r.median.solve),
-                                     fmt::format("{}", half_interquartile_range(r.samples)),
-                                     fmt::format("{}", r.samples.size()), fmt::format("{}", r.iterations),
-                                     fmt::format("{}", r.objective)});
-        } else {
-          cells.insert(cells.end(), 6, "");
-        }
-        cells.push_back(side ? termination_text(*side) : "");
-        const auto there = published_side(row, rays);
-        cells.push_back(there ? fmt::format("{}", there->variables) : "");
-        cells.push_back(there ? fmt::format("{}", there->seconds) : "");
-      }
-      for (const auto& value :
-           {difference(row), speedup(row), published_speedup(row), ratio(row),
-            excess(row.rayrep, published_side(row, true)), excess(row.voxel, published_side(row, false))})
-        cells.push_back(cell(value, "{}", ""));
-      csv += csv_line(cells);
-    }
-  return csv;
+  if (published) tables.legend += published->source + '\n';
+  return tables;
 }
 
 }  // namespace kreisel

@@ -14,11 +14,7 @@ namespace kreisel {
 /// where it has them, else of the file. Sides without a record show "-"; what is not optimal is marked "!"
 /// and named below the table. A speed-up is given only where both sides ended optimal or acceptable: the time
 /// of a solve that gave up says nothing.
-[[nodiscard]] std::string speedup_table(const std::vector<RecordedRun>& runs,
-                                        const std::optional<Published>& published);
-
-/// The same rows as CSV, all labels below each other.
-[[nodiscard]] std::string speedup_csv(const std::vector<RecordedRun>& runs,
-                                      const std::optional<Published>& published);
+[[nodiscard]] Tables speedup_tables(const std::vector<RecordedRun>& runs,
+                                    const std::optional<Published>& published);
 
 }  // namespace kreisel

@@ -5,21 +5,33 @@
 #include <system_error>
 
 #include "experiment/data_folder.hpp"
+#include "experiment/inertia_table.hpp"
+#include "experiment/published_table.hpp"
 #include "experiment/run_text.hpp"
 #include "experiment/runner.hpp"
+#include "experiment/settings_table.hpp"
 #include "experiment/speedup_table.hpp"
 #include "experiment/table_parts.hpp"
-#include "experiment/text_table.hpp"
+#include "unknown_name.hpp"
 
 namespace kreisel {
-namespace {
 
-std::optional<Published> published_of(const Experiment& experiment) {
-  if (experiment.published.empty()) return std::nullopt;
-  return read_published(published_file(experiment.published));
+const std::vector<TableKind>& table_kinds() {
+  static const std::vector<TableKind> all = {
+      {"runs", "a row a run", runs_tables},
+      {"speedup", "ray-reps against voxels, row by row, beside a paper", speedup_tables},
+      {"published", "a row a run, beside a paper's variables and seconds", published_tables},
+      {"settings", "a block a body, a row a setting: what does it gain, what does it cost", settings_tables},
+      {"inertia", "a block a run: inertia tensor and principal moments before and after", inertia_tables},
+  };
+  return all;
 }
 
-}  // namespace
+const TableKind& find_table_kind(std::string_view name) {
+  for (const TableKind& kind : table_kinds())
+    if (kind.name == name) return kind;
+  throw unknown_name("table", name, names_of(table_kinds()));
+}
 
 std::vector<RecordedRun> collect(const Experiment& experiment, const std::filesystem::path& results) {
   std::vector<RecordedRun> runs;
@@ -33,77 +45,50 @@ std::vector<RecordedRun> collect(const Experiment& experiment, const std::filesy
   return runs;
 }
 
-std::string runs_table(const std::vector<RecordedRun>& runs) {
-  TextTable table({{"", "label", true},
-                   {"", "model", true},
-                   {"", "grid", true},
-                   {"", "problem", true},
-                   {"", "formulation", true},
-                   {"", "solver", true},
-                   {"", "variables"},
-                   {"", "iterations"},
-                   {"", "termination", true},
-                   {"", "seconds"},
-                   {"", "objective"},
-                   {"", "violation"},
-                   {"", "verified", true}});
-  std::string errors;
-  for (const RecordedRun& run : runs) {
-    const RunConfig& config = run.run.config;
-    std::vector<std::string> row = {run.run.label.empty() ? "-" : run.run.label,
-                                    model_text(config),
-                                    grid_text(run),
-                                    config.problem,
-                                    config.formulation,
-                                    config.solver};
-    if (has_result(run)) {
-      const RecordSummary& r = *run.record;
-      row.insert(row.end(), {fmt::format("{}", r.variables), fmt::format("{}", r.iterations), r.termination,
-                             seconds_text(r), fmt::format("{:.6g}", r.objective),
-                             fmt::format("{:.1e}", r.violation), r.verified_ok ? "yes" : "no"});
-    } else {
-      row.insert(row.end(), {"-", "-", termination_text(run), "-", "-", "-", "-"});
-      if (run.record) errors += fmt::format("error: {}: {}\n", run_text(config), run.record->error);
-    }
-    table.add(row);
-  }
-  return table.text() + errors + provenance_text(runs) + '\n';
-}
-
-std::string runs_csv(const std::vector<RecordedRun>& runs) {
-  std::string csv = csv_line({"label", "model", "grid", "problem", "formulation", "solver", "variables",
-                              "iterations", "termination", "seconds", "seconds_half_iqr", "samples",
-                              "objective", "violation", "verified", "device", "commit", "error"});
-  for (const RecordedRun& run : runs) {
-    const RunConfig& config = run.run.config;
-    std::vector<std::string> row = {run.run.label,  model_text(config), grid_text(run),
-                                    config.problem, config.formulation, config.solver};
-    if (has_result(run)) {
-      const RecordSummary& r = *run.record;
-      row.insert(row.end(),
-                 {fmt::format("{}", r.variables), fmt::format("{}", r.iterations), r.termination,
-                  fmt::format("{}", r.median.solve), fmt::format("{}", half_interquartile_range(r.samples)),
-                  fmt::format("{}", r.samples.size()), fmt::format("{}", r.objective),
-                  fmt::format("{}", r.violation), r.verified_ok ? "yes" : "no", r.device, r.commit, ""});
-    } else {
-      row.insert(row.end(), {"", "", termination_text(run), "", "", "", "", "", "", "", "",
-                             run.record ? run.record->error : ""});
-    }
-    csv += csv_line(row);
-  }
-  return csv;
+Tables tables_of(const Experiment& experiment, const std::vector<RecordedRun>& runs) {
+  std::optional<Published> published;
+  if (!experiment.published.empty()) published = read_published(published_file(experiment.published));
+  return find_table_kind(experiment.table).make(runs, published);
 }
 
 std::string table_text(const Experiment& experiment, const std::vector<RecordedRun>& runs) {
-  const std::string title = experiment.title + "\n\n";
-  if (experiment.table == Experiment::Table::speedup)
-    return title + speedup_table(runs, published_of(experiment));
-  return title + runs_table(runs);
+  return experiment.title + "\n\n" + to_text(tables_of(experiment, runs));
 }
 
 std::string table_csv(const Experiment& experiment, const std::vector<RecordedRun>& runs) {
-  if (experiment.table == Experiment::Table::speedup) return speedup_csv(runs, published_of(experiment));
-  return runs_csv(runs);
+  return to_csv(tables_of(experiment, runs));
+}
+
+Tables runs_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>&) {
+  Sheet sheet({{"label", "", "label", true},
+               {"model", "", "model", true},
+               {"grid", "", "grid", true},
+               {"problem", "", "problem", true},
+               {"formulation", "", "formulation", true},
+               {"solver", "", "solver", true},
+               {"variables", "", "variables"},
+               {"iterations", "", "iterations"},
+               {"termination", "", "termination", true},
+               {"seconds", "", "seconds"},
+               {"seconds_half_iqr", "", ""},
+               {"samples", "", ""},
+               {"objective", "", "objective"},
+               {"violation", "", "violation"},
+               {"verified", "", "verified", true},
+               {"device", "", ""},
+               {"commit", "", ""},
+               {"error", "", ""}});
+  std::string errors;
+  for (const RecordedRun& run : runs) {
+    const RunConfig& config = run.run.config;
+    const SolveCells solve(run);
+    sheet.add({run.run.label, model_text(config), grid_text(run), config.problem, config.formulation,
+               config.solver, solve.variables, solve.iterations, termination_text(run), solve.seconds,
+               solve.half_iqr, solve.samples, solve.objective, solve.violation, solve.verified, solve.device,
+               solve.commit, run.record ? run.record->error : ""});
+    errors += note_of(run, false);
+  }
+  return {{{"", std::move(sheet), errors}}, provenance_text(runs) + '\n'};
 }
 
 }  // namespace kreisel

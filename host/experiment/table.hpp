@@ -1,12 +1,15 @@
-// table.hpp - an experiment's records as a table.
+// table.hpp - an experiment's records as a table; each kind of table is one file and one line here.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiment/experiment.hpp"
+#include "experiment/published.hpp"
+#include "experiment/sheet.hpp"
 #include "record/record.hpp"
 
 namespace kreisel {
@@ -17,23 +20,37 @@ struct RecordedRun {
   std::optional<RecordSummary> record;  ///< empty: it did not run yet
 };
 
+/// A way to set runs out, as `table = "NAME"` of an experiment names it.
+struct TableKind {
+  std::string_view name, summary;
+  Tables (*make)(const std::vector<RecordedRun>& runs, const std::optional<Published>& published);
+};
+
+[[nodiscard]] const std::vector<TableKind>& table_kinds();
+
+/// @throws InputError  unknown name; lists those there are
+[[nodiscard]] const TableKind& find_table_kind(std::string_view name);
+
 /// Every run of the experiment, in the order of the file, with its record under `results`.
 ///
 /// @throws InputError  a record that cannot be read
 [[nodiscard]] std::vector<RecordedRun> collect(const Experiment& experiment,
                                                const std::filesystem::path& results);
 
-/// The table that the experiment names, as aligned plain text of at most 150 columns (models with long names
-/// aside). Missing values are "-". Ends with a newline.
+/// The tables that the experiment names, beside the published numbers that it names.
 ///
 /// @throws InputError  published numbers that cannot be read
+[[nodiscard]] Tables tables_of(const Experiment& experiment, const std::vector<RecordedRun>& runs);
+
+/// tables_of() as aligned plain text under the title, of at most 150 columns (models and settings with long
+/// names aside). Missing values are "-". Ends with a newline.
 [[nodiscard]] std::string table_text(const Experiment& experiment, const std::vector<RecordedRun>& runs);
 
 /// The same rows as CSV with a heading line; missing values are empty.
 [[nodiscard]] std::string table_csv(const Experiment& experiment, const std::vector<RecordedRun>& runs);
 
-/// The table of any experiment: a row a run.
-[[nodiscard]] std::string runs_table(const std::vector<RecordedRun>& runs);
-[[nodiscard]] std::string runs_csv(const std::vector<RecordedRun>& runs);
+/// "runs": a row a run, for any experiment.
+[[nodiscard]] Tables runs_tables(const std::vector<RecordedRun>& runs,
+                                 const std::optional<Published>& published);
 
 }  // namespace kreisel

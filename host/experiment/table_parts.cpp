@@ -38,6 +38,10 @@ bool has_result(const RecordedRun& run) { return run.record && run.record->error
 
 bool is_optimal(const RecordedRun& run) { return has_result(run) && run.record->termination == "optimal"; }
 
+bool is_converged(const RecordedRun& run) {
+  return is_optimal(run) || (has_result(run) && run.record->termination == "acceptable");
+}
+
 std::string termination_text(const RecordedRun& run) {
   if (!run.record) return "not run";
   return run.record->error.empty() ? run.record->termination : "error";
@@ -63,6 +67,37 @@ std::string grid_text(const RecordedRun& run) {
   GridSpec grid = run.run.config.grid;
   if (!grid.cells && has_result(run)) grid.cells = run.record->grid;
   return grid_text(grid);
+}
+
+const PublishedRow* find_row(const RecordedRun& run, const std::optional<Published>& published) {
+  if (!published) return nullptr;
+  std::optional<std::array<int, 3>> cells = run.run.config.grid.cells;
+  if (!cells && has_result(run)) cells = run.record->grid;
+  return published->find(model_text(run.run.config), cells, run.run.config.problem);
+}
+
+std::string note_of(const RecordedRun& run, bool unless_optimal, std::string name) {
+  if (!run.record || is_optimal(run)) return "";
+  const RecordSummary& r = *run.record;
+  if (r.error.empty() && !unless_optimal) return "";
+  const std::string& words = r.error.empty() ? r.message : r.error;
+  if (name.empty()) name = run_text(run.run.config);
+  return fmt::format("! {}: {}{}{}\n", name, termination_text(run), words.empty() ? "" : " - ", words);
+}
+
+SolveCells::SolveCells(const RecordedRun& run) {
+  if (!has_result(run)) return;
+  const RecordSummary& r = *run.record;
+  variables = fmt::format("{}", r.variables);
+  iterations = fmt::format("{}", r.iterations);
+  seconds = {seconds_text(r), fmt::format("{}", r.median.solve)};
+  half_iqr = fmt::format("{}", half_interquartile_range(r.samples));
+  samples = fmt::format("{}", r.samples.size());
+  objective = Cell::of(r.objective, "{:.6g}");
+  violation = Cell::of(r.violation, "{:.1e}");
+  verified = r.verified_ok ? "yes" : "no";
+  device = r.device;
+  commit = r.commit;
 }
 
 }  // namespace kreisel

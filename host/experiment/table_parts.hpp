@@ -1,6 +1,7 @@
 // table_parts.hpp - what the tables share: the numbers of a record as they are printed.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,36 @@ namespace kreisel {
 /// Has a result, which is optimal.
 [[nodiscard]] bool is_optimal(const RecordedRun& run);
 
+/// Has a result that a time or an objective may be compared with: optimal or acceptable. What a solve that
+/// gave up took says nothing.
+[[nodiscard]] bool is_converged(const RecordedRun& run);
+
 /// "device ..., commit ..., 5 samples each": where the numbers of a table come from. One line.
 [[nodiscard]] std::string provenance_text(const std::vector<RecordedRun>& runs);
 
 /// The grid of the run, of the record where the run gives only the longest side.
 [[nodiscard]] std::string grid_text(const RecordedRun& run);
+
+/// The row of the paper with that model, grid and problem, or nullptr.
+[[nodiscard]] const PublishedRow* find_row(const RecordedRun& run, const std::optional<Published>& published);
+
+/// A line that says why a run has no result or, if asked, none that is optimal. Empty where all is well.
+/// @param name  what the table calls the run; empty: as run_text() does
+[[nodiscard]] std::string note_of(const RecordedRun& run, bool unless_optimal = true, std::string name = {});
+
+/// The cells that most tables have, "-" without a result.
+struct SolveCells {
+  explicit SolveCells(const RecordedRun& run);
+  Cell variables = Cell::none(), iterations = Cell::none(), seconds = Cell::none(), half_iqr = Cell::none(),
+       samples = Cell::none(), objective = Cell::none(), violation = Cell::none(), verified = Cell::none(),
+       device = Cell::none(), commit = Cell::none();
+};
+
+/// The first item that matches, else a new one at the end.
+template <class Item, class Matches, class Make>
+Item& find_or_add(std::vector<Item>& items, Matches matches, Make make) {
+  const auto at = std::find_if(items.begin(), items.end(), matches);
+  return at != items.end() ? *at : items.emplace_back(make());
+}
 
 }  // namespace kreisel

@@ -15,7 +15,8 @@ WrittenPart verify_file(const std::filesystem::path& file, const Body& body, con
     const TriangleMesh mesh = read_mesh(file);
     part.triangles = mesh.triangles.size();
     require_solid(mesh, file.filename().string());
-    part.moments = reference::mesh_moments(to_body(body.frame, mesh)).value;
+    const Moments material = reference::mesh_moments(to_body(body.frame, mesh)).value;
+    part.moments = material + body.void_share() * (body.solid - material);  // what is void holds the filling
   } catch (const InputError& error) {
     part.verdict.text = fmt::format("the written mesh is not a solid: {}", error.what());
     return part;

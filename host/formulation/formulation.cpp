@@ -1,11 +1,11 @@
 #include "formulation/formulation.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "error.hpp"
 #include "formulation/rayrep.hpp"
 #include "formulation/voxel.hpp"
+#include "unknown_name.hpp"
 
 namespace kreisel {
 
@@ -34,13 +34,9 @@ const std::vector<FormulationEntry>& formulations() {
 }
 
 const FormulationEntry& find_formulation(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const FormulationEntry& entry : formulations()) {
+  for (const FormulationEntry& entry : formulations())
     if (entry.name == name) return entry;
-    names.push_back(entry.name);
-  }
-  throw InputError(
-      fmt::format("formulation '{}' is unknown; expected one of: {}", name, fmt::join(names, ", ")));
+  throw unknown_name("formulation", name, names_of(formulations()));
 }
 
 std::unique_ptr<Formulation> make_formulation(std::string_view name, const Columns& domain,

@@ -9,42 +9,53 @@
 #include <string>
 
 #include "error.hpp"
+#include "mesh/equal_vertices.hpp"
+#include "mesh/predicates.hpp"
+#include "mesh/sides.hpp"
 
 namespace kreisel {
 namespace {
-
-/// One side of a triangle; `forward` when it runs from the lower to the higher vertex index.
-struct Side {
-  std::uint32_t low, high;
-  bool forward;
-  [[nodiscard]] bool same_edge(const Side& o) const { return low == o.low && high == o.high; }
-};
-
-std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t from = t[k], to = t[(k + 1) % 3];
-      if (from != to) sides.push_back({std::min(from, to), std::max(from, to), from < to});
-    }
-  std::sort(sides.begin(), sides.end(),
-            [](const Side& a, const Side& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
-  return sides;
-}
 
 void note(EdgeFault& fault, const Side& side) {
   if (!fault.count++) fault.first = {side.low, side.high};
 }
 
-void inspect_edges(const TriangleMesh& mesh, MeshReport& report) {
-  const std::vector<Side> sides = sorted_sides(mesh);
-  for (auto first = sides.begin(); first != sides.end();) {
-    const auto last = std::find_if(first, sides.end(), [&](const Side& s) { return !s.same_edge(*first); });
+void inspect_edges(const std::vector<Side>& sides, MeshReport& report) {
+  for_each_edge(sides, [&](auto first, auto last) {
     if (last - first == 1) note(report.open, *first);
     if (last - first > 2) note(report.crowded, *first);
     if (last - first == 2 && first[0].forward == first[1].forward) note(report.misoriented, *first);
-    first = last;
+  });
+}
+
+void inspect_triangles(const TriangleMesh& mesh, MeshReport& report) {
+  std::vector<Triangle> corners;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    if (a == b || b == c || c == a) {
+      ++report.repeated_count;
+      if (!report.first_repeated) report.first_repeated = i;
+      continue;
+    }
+    if (projection_axis(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]) < 0) ++report.flat_count;
+    corners.push_back(mesh.triangles[i]);
+    std::sort(corners.back().begin(), corners.back().end());
+  }
+  std::sort(corners.begin(), corners.end());
+  report.duplicate_count =
+      corners.size() - std::size_t(std::unique(corners.begin(), corners.end()) - corners.begin());
+}
+
+void inspect_vertices(const TriangleMesh& mesh, const std::vector<Side>& sides, MeshReport& report) {
+  const std::vector<std::uint32_t> first = first_equal_vertex(mesh.vertices);
+  for (std::uint32_t v = 0; v < first.size(); ++v) report.equal_vertex_count += first[v] != v;
+  std::vector<std::uint32_t> fan_count(mesh.vertices.size(), 0);
+  DisjointSets fans = corner_fans(mesh, sides);
+  for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner)
+    if (fans.find(corner) == corner) ++fan_count[mesh.triangles[corner / 3][corner % 3]];
+  for (const std::uint32_t count : fan_count) {
+    report.unused_vertex_count += count == 0;
+    report.pinched_vertex_count += count > 1;
   }
 }
 
@@ -78,13 +89,10 @@ std::string edge_text(const TriangleMesh& mesh, const EdgeFault& fault) {
 
 MeshReport inspect(const TriangleMesh& mesh) {
   MeshReport report;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto& [a, b, c] = mesh.triangles[i];
-    if (a != b && b != c && c != a) continue;
-    ++report.repeated_count;
-    if (!report.first_repeated) report.first_repeated = i;
-  }
-  inspect_edges(mesh, report);
+  const std::vector<Side> sides = sorted_sides(mesh);
+  inspect_triangles(mesh, report);
+  inspect_edges(sides, report);
+  inspect_vertices(mesh, sides, report);
   inspect_volume(mesh, report);
   return report;
 }

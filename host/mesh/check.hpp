@@ -19,6 +19,11 @@ struct EdgeFault {
 struct MeshReport {
   std::size_t repeated_count = 0;             ///< triangles that use a vertex twice
   std::optional<std::size_t> first_repeated;  ///< index of the first of them
+  std::size_t flat_count = 0;                 ///< triangles whose three different vertices lie on one line
+  std::size_t duplicate_count = 0;            ///< triangles with the same three vertices as an earlier one
+  std::size_t equal_vertex_count = 0;         ///< vertices at exactly the place of an earlier one
+  std::size_t unused_vertex_count = 0;        ///< vertices of no triangle
+  std::size_t pinched_vertex_count = 0;       ///< vertices where parts of the surface merely touch
   EdgeFault open;                             ///< edges of one triangle only
   EdgeFault crowded;                          ///< edges of more than two triangles
   EdgeFault misoriented;                      ///< edges along which two triangles run the same way
@@ -29,8 +34,9 @@ struct MeshReport {
   [[nodiscard]] bool oriented() const { return !misoriented.count; }
 };
 
-/// Looks at the indices for holes and orientation and at the coordinates for volume; geometric
-/// self-intersections are not looked for. O(n log n). Indices must be in range, the mesh not empty.
+/// Looks at the indices for holes and orientation and at the coordinates for volume; where the surface runs
+/// through itself is the question of self_intersections.hpp, of components.hpp what it is made of.
+/// O(n log n). Indices must be in range, the mesh not empty.
 [[nodiscard]] MeshReport inspect(const TriangleMesh& mesh);
 
 /// Returns when the mesh bounds a solid: watertight, consistently oriented, outward, of non-zero volume.

@@ -29,6 +29,15 @@ inline std::string_view next_word(std::string_view& line) {
   return word;
 }
 
+/// A word of a file for a message: no control characters (the file may be anything), and not too long.
+inline std::string shown(std::string_view word) {
+  constexpr std::size_t most = 40;
+  std::string text(word.substr(0, most));
+  for (char& c : text)
+    if (c < ' ' || c > '~') c = '?';
+  return word.size() > most ? text + "..." : text;
+}
+
 /// Walks the lines of a file that have at least one word; `#` starts a comment.
 class MeshLines {
  public:
@@ -39,7 +48,7 @@ class MeshLines {
     while (!rest_.empty()) {
       const std::size_t end = std::min(rest_.find('\n'), rest_.size());
       line = rest_.substr(0, end);
-      line = line.substr(0, line.find('#'));
+      line = line.substr(0, line.find('#'));  // not in rest_, which would be searched to its end every time
       rest_.remove_prefix(std::min(end + 1, rest_.size()));
       ++number_;
       std::string_view probe = line;
@@ -60,7 +69,8 @@ class MeshLines {
       const std::string_view word = next_word(line);
       const auto value = parse<double>(word);
       if (!value)
-        throw error(fmt::format("coordinate '{}' of vertex {}, expected three finite numbers", word, index));
+        throw error(
+            fmt::format("coordinate '{}' of vertex {}, expected three finite numbers", shown(word), index));
       x = *value;
     }
     return p;

@@ -1,28 +1,12 @@
 #include "mesh/read.hpp"
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
 
-#include "mesh/read_obj.hpp"
-#include "mesh/read_off.hpp"
-#include "mesh/read_stl.hpp"
+#include "mesh/format.hpp"
 
 namespace kreisel {
 namespace {
-
-using Reader = TriangleMesh (*)(const MeshFile&);
-
-Reader reader_for(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  if (extension == ".stl") return read_stl;
-  if (extension == ".obj") return read_obj;
-  if (extension == ".off") return read_off;
-  throw InputError(fmt::format("{}: extension '{}', expected .stl, .obj or .off", path.string(),
-                               path.extension().string()));
-}
 
 std::string contents(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -42,8 +26,8 @@ std::string contents(const std::filesystem::path& path) {
 }  // namespace
 
 TriangleMesh read_mesh(const std::filesystem::path& path) {
-  const Reader reader = reader_for(path);
-  TriangleMesh mesh = reader({path.string(), contents(path)});
+  const MeshFormat& format = mesh_format(path);
+  TriangleMesh mesh = format.read({path.string(), contents(path)});
   if (mesh.triangles.empty())
     throw InputError(fmt::format("{}: no triangles, expected at least one face", path.string()));
   return mesh;

@@ -59,7 +59,8 @@ Scan scan(const MeshFile& file) {
         const std::string_view index = word.substr(0, word.find('/'));  // then texture and normal, not used
         const auto value = parse<std::int32_t>(index);
         if (!value || *value == 0)
-          throw lines.error(fmt::format("vertex index '{}', expected a whole number, 1 or more", word));
+          throw lines.error(
+              fmt::format("vertex index '{}', expected a whole number, 1 or more", shown(word)));
         (out.connectivity += ' ') += index;
       }
       if (corners < 3) throw lines.error(fmt::format("face of {} corners, expected 3 or more", corners));

@@ -24,7 +24,7 @@ Counts read_counts(MeshLines& lines) {
   const std::string_view first = any ? next_word(rest) : std::string_view{};
   const bool header = is_header(first);
   if (!header && !parse<std::size_t>(first))
-    throw lines.error(fmt::format("begins with '{}', expected OFF, COFF, NOFF or STOFF", first));
+    throw lines.error(fmt::format("begins with '{}', expected OFF, COFF, NOFF or STOFF", shown(first)));
   if (header) {
     line = rest;
     if (next_word(rest).empty()) lines.next(line);
@@ -33,7 +33,8 @@ Counts read_counts(MeshLines& lines) {
   const std::string_view nv = next_word(rest), nf = next_word(rest);
   const auto vertices = parse<std::size_t>(nv), faces = parse<std::size_t>(nf);
   if (!vertices || !faces)
-    throw lines.error(fmt::format("counts '{} {}', expected text OFF with 'vertices faces edges'", nv, nf));
+    throw lines.error(
+        fmt::format("counts '{} {}', expected text OFF with 'vertices faces edges'", shown(nv), shown(nf)));
   return {*vertices, *faces};
 }
 
@@ -46,13 +47,14 @@ std::string_view next_of(MeshLines& lines, std::string_view what, std::size_t ha
 void read_face(const MeshLines& lines, std::string_view line, TriangleMesh& mesh) {
   const std::string_view word = next_word(line);
   const auto size = parse<std::size_t>(word);
-  if (!size || *size < 3) throw lines.error(fmt::format("face of '{}' corners, expected 3 or more", word));
+  if (!size || *size < 3)
+    throw lines.error(fmt::format("face of '{}' corners, expected 3 or more", shown(word)));
   std::vector<std::uint32_t> corners;
   for (std::size_t k = 0; k < *size; ++k) {
     const std::string_view corner = next_word(line);
     const auto index = parse<std::uint32_t>(corner);
     if (!index || *index >= mesh.vertices.size())
-      throw lines.error(fmt::format("vertex index '{}', expected 0 to {}", corner,
+      throw lines.error(fmt::format("vertex index '{}', expected 0 to {}", shown(corner),
                                     std::ptrdiff_t(mesh.vertices.size()) - 1));
     corners.push_back(*index);
   }

@@ -102,7 +102,7 @@ TriangleMesh read_text(const MeshFile& file) {
     } else if (word == "endsolid") {
       open = false;
     } else if (word != "facet" && word != "outer" && word != "endfacet") {
-      throw lines.error(fmt::format("'{}', expected a word of text STL", word));
+      throw lines.error(fmt::format("'{}', expected a word of text STL", shown(word)));
     }
   }
   if (open || !loop.empty()) throw lines.error("text STL ends without 'endsolid', expected a whole file");

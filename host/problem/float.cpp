@@ -83,14 +83,13 @@ double waterline_for(const std::string& text, const Body& body, double fluid) {
   const double height = box.extent()[2];
   if (const auto share = parse_with_unit(text, "%"); share && *share > 0 && *share <= 100)
     return box.lo[2] + *share / 100 * height;
-  if (text == "solid" || parse_with_unit(text, "g")) {
-    const double grams = text == "solid" ? body.mass_grams() : *parse_with_unit(text, "g");
+  const double grams = text == "solid" ? body.mass_grams() : parse_with_unit(text, "g").value_or(0);
+  if (grams > 0) {
     const double most = fluid / body.density * body.mass_grams();
-    if (!(grams > 0 && grams < most))
+    if (!(grams < most))
       throw InputError(
-          fmt::format("problem.draft = {}: {} sinks, for {:.4g} g weigh more than the {:.4g} g of fluid that "
-                      "it displaces "
-                      "when submerged",
+          fmt::format("problem.draft = {}: {} sinks with {:.4g} g; expected less than the "
+                      "{:.4g} g of fluid that it displaces when submerged",
                       text, body.name, grams, most));
     return waterline_of(body.local, body.solid[S1] * grams / most);
   }

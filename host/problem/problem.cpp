@@ -1,20 +1,18 @@
 #include "problem/problem.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 
-#include "error.hpp"
 #include "problem/balance.hpp"
 #include "problem/float.hpp"
 #include "problem/spin.hpp"
 #include "problem/stand.hpp"
+#include "unknown_name.hpp"
 
 namespace kreisel {
 
 double violation(const Problem& problem, const Moments& s) {
   const LinearConstraints& c = problem.constraints();
+  if (c.matrix.rows() == 0) return 0;
   const Eigen::VectorXd value = c.matrix * s;
   return std::max({0.0, (c.lower - value).maxCoeff(), (value - c.upper).maxCoeff()});
 }
@@ -23,25 +21,22 @@ const std::vector<ProblemEntry>& problems() {
   static const std::vector<ProblemEntry> all = {
       {"spin",
        "spins about its axis: centre of mass on it, principal, and the largest moment [RayRep, eq. 7-10]",
-       make_spin},
+       make_spin, ProblemSettings{}},
       {"stand", "stands: centre of mass over the base and low, or the largest tilt before toppling",
-       make_stand},
+       make_stand, ProblemSettings{}, true},
       {"float",
        "floats upright at a given draft: centre of mass over that of buoyancy, and low [RayRep, eq. 3-5]",
-       make_float},
+       make_float, ProblemSettings{{"draft", "solid"}}, true},
       {"balance", "centre of mass at a given point or on a given line, with as much material as possible",
-       make_balance},
+       make_balance, std::nullopt, true},
   };
   return all;
 }
 
 const ProblemEntry& find_problem(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const ProblemEntry& entry : problems()) {
+  for (const ProblemEntry& entry : problems())
     if (entry.name == name) return entry;
-    names.push_back(entry.name);
-  }
-  throw InputError(fmt::format("problem '{}' is unknown; expected one of: {}", name, fmt::join(names, ", ")));
+  throw unknown_name("problem", name, names_of(problems()));
 }
 
 std::unique_ptr<Problem> make_problem(std::string_view name, const ProblemSettings& settings,

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -78,6 +79,10 @@ struct ProblemEntry {
   std::string_view name, summary;
   /// @param body  what is to spin, stand or float; not kept
   std::unique_ptr<Problem> (*make)(const ProblemSettings& settings, const Body& body);
+  /// The settings with which a solid is judged as it is; nothing when the problem asks for more than a solid
+  /// has.
+  std::optional<ProblemSettings> for_solid;
+  bool upright = false;  ///< goes by the body's up direction, not by its spin axis
 };
 
 [[nodiscard]] const std::vector<ProblemEntry>& problems();

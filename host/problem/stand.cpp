@@ -168,7 +168,8 @@ std::unique_ptr<Problem> make_stand(const ProblemSettings& settings, const Body&
   const double margin = margin_mm ? *margin_mm / body.frame.length : std::min(0.01, most / 2);
   if (margin >= most && margin_mm)
     throw InputError(
-        fmt::format("problem.margin = {} mm; the centroid of the base is only {:.3g} mm from its edge",
+        fmt::format("problem.margin = {} mm; expected less than the {:.3g} mm from the centroid of the base "
+                    "to its edge",
                     *margin_mm, most * body.frame.length));
   return std::make_unique<Stand>(std::move(base), margin);
 }

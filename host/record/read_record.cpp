@@ -34,6 +34,14 @@ std::vector<Seconds> seconds_of(const Group& group, const std::string& dataset, 
   return rows;
 }
 
+Moments moments_of(const Group& group, const std::string& dataset, const std::string& name) {
+  const auto table = group.read(dataset);
+  if (table.values.size() != moment_names.size())
+    throw InputError(fmt::format("{}: {} has {} numbers, expected {}", name, dataset, table.values.size(),
+                                 moment_names.size()));
+  return Eigen::Map<const Moments>(table.values.data());
+}
+
 void read_domain(const Group& group, RecordSummary& summary, const std::string& name) {
   const auto grid = group.read_integers("grid");
   if (grid.values.size() != 3)
@@ -45,6 +53,8 @@ void read_domain(const Group& group, RecordSummary& summary, const std::string& 
 
 void read_solve(const Group& group, RecordSummary& summary, const std::string& name) {
   summary.message = group.text("message");
+  summary.repeat = static_cast<int>(group.integer("repeat"));
+  summary.budget_seconds = group.real("budget");
   summary.samples = seconds_of(group, "samples", name);
   const auto median = seconds_of(group, "median", name);
   if (median.size() != 1)
@@ -82,12 +92,19 @@ RecordSummary read_record(const std::filesystem::path& path) {
   summary.iterations = static_cast<int>(file.integer("iterations"));
   summary.variables = static_cast<std::size_t>(file.integer("variables"));
   read_domain(file.group("domain"), summary, name);
+  const Group body = file.group("body");
+  summary.length_mm = body.real("length");
+  summary.mass_unit_grams = body.real("mass_unit");
+  summary.solid_objective = body.real("solid_objective");
+  summary.solid = moments_of(body, "solid", name);
   read_solve(file.group("solve"), summary, name);
+  summary.optimum = moments_of(file.group("solve"), "moments", name);
   const Group rounding = file.group("rounding");
   summary.rounded_objective = rounding.real("objective");
   summary.rounded_violation = rounding.real("violation");
   summary.mended_voxels = static_cast<std::size_t>(rounding.integer("mended_voxels"));
   const Group verified = file.group("verified");
+  summary.written = moments_of(verified, "moments", name);
   summary.verified_ok = verified.integer("ok") != 0;
   summary.verified_text = verified.text("text");
   return summary;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "file/write_text.hpp"
 #include "run/result.hpp"
 
 namespace kreisel {
@@ -36,8 +37,14 @@ struct RecordSummary {
   std::size_t mended_voxels = 0;
   bool verified_ok = false;
   std::string verified_text;
+  double length_mm = 1, mass_unit_grams = 1;  ///< one body unit in model units
+  double solid_objective = 0;
+  /// Totals in body frame and units: nothing hollowed, at the optimum, of the written file.
+  Moments solid = Moments::Zero(), optimum = Moments::Zero(), written = Moments::Zero();
   Seconds median;
   std::vector<Seconds> samples;
+  int repeat = 1;             ///< timed solves asked for
+  double budget_seconds = 0;  ///< after which none was begun
   std::string commit, device, started;
 };
 
@@ -46,8 +53,5 @@ struct RecordSummary {
 
 /// The summary with the field names of "Machine-readable output" in docs/.
 [[nodiscard]] nlohmann::json to_json(const RunResult& result);
-
-/// Writes text to a temporary name in the same folder and renames it. @throws InputError  not writable
-void write_text(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace kreisel

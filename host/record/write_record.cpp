@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "error.hpp"
+#include "file/replace_file.hpp"
 #include "record/hdf5_file.hpp"
 #include "record/record.hpp"
-#include "record/replace_file.hpp"
 
 namespace kreisel {
 namespace {

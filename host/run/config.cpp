@@ -11,6 +11,7 @@
 
 #include "error.hpp"
 #include "parse.hpp"
+#include "unknown_name.hpp"
 
 namespace kreisel {
 namespace {
@@ -84,6 +85,7 @@ const std::map<std::string_view, Setter>& setters() {
       {"contact", [](C c, S k, S v) { c.body.contact = vector(k, v); }},
       {"size", [](C c, S k, S v) { c.body.size = number(k, v); }},
       {"density", [](C c, S k, S v) { c.body.density = number(k, v); }},
+      {"void-density", [](C c, S k, S v) { c.body.void_density = number(k, v); }},
       {"fineness", [](C c, S k, S v) { c.body.fineness = whole(k, v, 1); }},
       {"problem", [](C c, S, S v) { c.problem = v; }},
       {"formulation", [](C c, S, S v) { c.formulation = v; }},
@@ -124,8 +126,8 @@ void set_field(RunConfig& config, std::string_view key, std::string_view value) 
   if (found == setters().end()) {
     std::vector<std::string_view> names;
     for (const auto& [name, setter] : setters()) names.push_back(name);
-    throw InputError(fmt::format("'{}' is not a field of a run; expected one of {}, or {}.NAME", key,
-                                 fmt::join(names, " "), fmt::join(groups, ".NAME ")));
+    names.insert(names.end(), {"ipopt.NAME", "problem.NAME", "formulation.NAME", "solver.NAME"});
+    throw unknown_name("field", key, names);
   }
   found->second(config, key, value);
 }
@@ -147,6 +149,7 @@ std::map<std::string, std::string> describe(const RunConfig& config) {
   fields["resolution"] = text_of(config.grid);
   fields["wall"] = to_string(config.wall);
   fields["density"] = fmt::format("{}", config.body.density);
+  if (config.body.void_density != 0) fields["void-density"] = fmt::format("{}", config.body.void_density);
   if (config.body.axis) fields["axis"] = text_of(*config.body.axis);
   if (config.body.up) fields["up"] = text_of(*config.body.up);
   if (config.body.contact) fields["contact"] = text_of(*config.body.contact);

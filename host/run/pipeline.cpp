@@ -11,7 +11,7 @@
 #include "error.hpp"
 #include "fabricate/verify.hpp"
 #include "fabricate/void_surface.hpp"
-#include "mesh/write_stl.hpp"
+#include "mesh/write.hpp"
 #include "solve/explain.hpp"
 #include "solve/interrupt.hpp"
 
@@ -81,7 +81,7 @@ Verified write_and_verify(const RunOutput& output, const Body& body, const Probl
   const std::filesystem::path path = file.empty() ? temporary.path : std::filesystem::path(file);
   std::vector<TriangleMesh> parts = {output.outer};
   if (!output.cavity.triangles.empty()) parts.push_back(output.cavity);
-  write_stl(path, parts);
+  write_mesh(path, parts);
   const WrittenPart part = verify_file(path, body, problem);
 
   Verified verified;
@@ -111,7 +111,9 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
 
   tell("set-up");
   const Stopwatch setup;
-  const Body body = make_body(config.body, device);
+  BodySpec spec = config.body;
+  spec.stands_upright = asked.upright;
+  const Body body = make_body(spec, device);
   const std::unique_ptr<Problem> problem = asked.make(settings_of(config, "problem"), body);
   const Columns domain = make_columns(body, config.grid, config.wall);
   const MassModel mass = hollowed(body, domain.interior);
@@ -125,6 +127,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   r.config = config;
   r.provenance = make_provenance(device);
   r.body_name = body.name;
+  r.repairs = body.repairs;
   r.frame = body.frame;
   r.axis = body.axis;
   r.contact = body.contact;

@@ -42,6 +42,7 @@ struct RunResult {
 
   // The body and its domain, model units: mm and g.
   std::string body_name;
+  std::vector<std::string> repairs;  ///< what was mended in the mesh file
   Frame frame;
   Vec3 axis = Vec3::UnitZ(), contact = Vec3::Zero();
   double density = 1;

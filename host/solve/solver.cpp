@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "parse.hpp"
 #include "solve/ipopt.hpp"
+#include "unknown_name.hpp"
 
 namespace kreisel {
 
@@ -67,17 +68,12 @@ const std::vector<SolverEntry>& solvers() {
 }
 
 const SolverEntry& find_solver(std::string_view name, std::string_view formulation) {
-  std::vector<std::string_view> names;
-  for (const SolverEntry& entry : solvers()) {
-    if (entry.name == name) {
-      if (std::ranges::find(entry.formulations, formulation) == entry.formulations.end())
-        throw InputError(fmt::format("solver '{}' does not work with formulation '{}'; it works with: {}",
-                                     name, formulation, fmt::join(entry.formulations, ", ")));
-      return entry;
-    }
-    names.push_back(entry.name);
-  }
-  throw InputError(fmt::format("solver '{}' is unknown; expected one of: {}", name, fmt::join(names, ", ")));
+  const auto entry = std::ranges::find(solvers(), name, &SolverEntry::name);
+  if (entry == solvers().end()) throw unknown_name("solver", name, names_of(solvers()));
+  if (std::ranges::find(entry->formulations, formulation) == entry->formulations.end())
+    throw InputError(fmt::format("solver '{}' does not work with formulation '{}'; it works with: {}", name,
+                                 formulation, fmt::join(entry->formulations, ", ")));
+  return *entry;
 }
 
 Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& options) {
@@ -100,16 +96,19 @@ Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& 
     outcome = std::move(step);
     problem = problem->next(outcome.moments);
   }
+  if (outcome.steps > 1) {
+    // Judged by the problem that was asked: the last step asks for as much as there is, and is missed by what
+    // the solver leaves.
+    outcome.objective = task.problem.value(outcome.moments);
+    outcome.violation = violation(task.problem, outcome.moments);
+    outcome.message += fmt::format(", {} steps", outcome.steps);
+  }
   // A margin can always be found; whether it is enough is another question. Solvers meet 1e-9.
   constexpr double met = 1e-6;
   if (task.problem.goal() == Goal::margin && outcome.violation > met &&
       (outcome.termination == Termination::optimal || outcome.termination == Termination::acceptable)) {
     outcome.termination = Termination::infeasible;
     outcome.message = fmt::format("the constraints are missed by {:.2e} at the least", outcome.violation);
-  }
-  if (outcome.steps > 1) {  // judged by the problem that was asked
-    outcome.objective = task.problem.value(outcome.moments);
-    outcome.message += fmt::format(", {} steps", outcome.steps);
   }
   return outcome;
 }

@@ -1,68 +1,42 @@
 // bench_test.cpp - `bench` as a user runs it: exit codes, messages, files.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <cstdio>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "apps/run_bench.hpp"
+#include "body/hydrostatics.hpp"
 #include "body/mesh_moments.hpp"
 #include "mesh/read.hpp"
+#include "temporary_folder.hpp"
 
 namespace kreisel {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Answer {
-  int code;
-  std::string out;  ///< standard output and error together
-};
-
-Answer bench(const std::string& arguments) {
-  // PoCL and its LLVM keep memory until the end: not what these tests are about.
-  const std::string command =
-      fmt::format("ASAN_OPTIONS=detect_leaks=0 '{}' {} 2>&1 </dev/null", KREISEL_BENCH, arguments);
-  std::FILE* pipe = popen(command.c_str(), "r");
-  Answer answer{-1, {}};
-  std::array<char, 4096> block;
-  while (const std::size_t n = std::fread(block.data(), 1, block.size(), pipe))
-    answer.out.append(block.data(), n);
-  const int status = pclose(pipe);
-  answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return answer;
-}
-
 class Bench : public ::testing::Test {
  protected:
-  Bench()
-      : folder_(fs::temp_directory_path() / fmt::format("kreisel-bench-test-{}-{}", ::getpid(), counter_++)) {
-    fs::create_directories(folder_);
-  }
-  ~Bench() override { fs::remove_all(folder_); }
-  [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_.path / name).string(); }
 
-  fs::path folder_;
-  static inline int counter_ = 0;
+  const TemporaryFolder folder_;
 };
 
 constexpr const char* small = "--formulation rayrep --resolution 24 --fineness 16";
 
 TEST_F(Bench, RunsWithDefaultsAndSaysWhetherThePartSpins) {
-  const Answer a = bench("--formulation rayrep");
+  const BenchAnswer a = bench("--formulation rayrep");
   EXPECT_EQ(a.code, 0) << a.out;
   EXPECT_NE(a.out.find("optimal"), std::string::npos) << a.out;
   EXPECT_NE(a.out.find("verified   spins:"), std::string::npos) << a.out;
 }
 
 TEST_F(Bench, WritesAMeshWhoseMomentsAreTheReportedOnes) {
-  const Answer a = bench(fmt::format("{} --set formulation.bounds=ordered --json {} --mesh {}", small,
-                                     file("r.json"), file("part.stl")));
+  const BenchAnswer a = bench(fmt::format("{} --set formulation.bounds=ordered --json {} --mesh {}", small,
+                                          file("r.json"), file("part.stl")));
   ASSERT_EQ(a.code, 0) << a.out;
   const auto json = nlohmann::json::parse(std::ifstream(file("r.json")));
   EXPECT_EQ(json.at("formulation"), "rayrep");
@@ -80,7 +54,7 @@ TEST_F(Bench, WritesAMeshWhoseMomentsAreTheReportedOnes) {
 TEST_F(Bench, WritesARecordThatH5pyReadsByTheSchema) {
   if (std::system("/usr/bin/python3 -c 'import h5py' 2>/dev/null") != 0)
     GTEST_SKIP() << "h5py is not installed";
-  const Answer a = bench(fmt::format("{} --record {}", small, file("run.h5")));
+  const BenchAnswer a = bench(fmt::format("{} --record {}", small, file("run.h5")));
   ASSERT_NE(a.code, 2) << a.out;
   EXPECT_EQ(std::system(fmt::format("/usr/bin/python3 '{}/tests/record/h5py_test.py' {}", KREISEL_SOURCE,
                                     file("run.h5"))
@@ -89,7 +63,7 @@ TEST_F(Bench, WritesARecordThatH5pyReadsByTheSchema) {
 }
 
 TEST_F(Bench, JsonToStandardOutputIsAlone) {
-  const Answer a = bench(fmt::format("{} --json -", small));
+  const BenchAnswer a = bench(fmt::format("{} --json -", small));
   ASSERT_EQ(a.code, 0);
   EXPECT_TRUE(nlohmann::json::accept(a.out)) << a.out;
 }
@@ -97,8 +71,8 @@ TEST_F(Bench, JsonToStandardOutputIsAlone) {
 TEST_F(Bench, VoxelAndRayRepAgreeWithinOnePercent) {
   double objective[2];
   for (const int i : {0, 1}) {
-    const Answer a = bench(fmt::format("{} --formulation {} --json {}", "--resolution 32",
-                                       i ? "voxel" : "rayrep", file("r.json")));
+    const BenchAnswer a = bench(fmt::format("{} --formulation {} --json {}", "--resolution 32",
+                                            i ? "voxel" : "rayrep", file("r.json")));
     ASSERT_EQ(a.code, 0) << a.out;
     objective[i] = nlohmann::json::parse(std::ifstream(file("r.json"))).at("objective").get<double>();
   }
@@ -115,7 +89,7 @@ void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.argume
 class BenchMistake : public ::testing::TestWithParam<Mistake> {};
 
 TEST_P(BenchMistake, GetsOneLineAndExitCodeTwo) {
-  const Answer a = bench(GetParam().arguments);
+  const BenchAnswer a = bench(GetParam().arguments);
   EXPECT_EQ(a.code, 2) << a.out;
   EXPECT_EQ(std::count(a.out.begin(), a.out.end(), '\n'), 1) << a.out;
   EXPECT_NE(a.out.find(GetParam().says), std::string::npos) << a.out;
@@ -124,8 +98,9 @@ TEST_P(BenchMistake, GetsOneLineAndExitCodeTwo) {
 INSTANTIATE_TEST_SUITE_P(
     All, BenchMistake,
     ::testing::Values(
-        Mistake{"--model nosuch", "neither a known name (ellipsoid, bird) nor a file"},
-        Mistake{"--model /no/such.stl", "no such file"}, Mistake{"--resolution 3000", "expected 2 to 1024"},
+        Mistake{"--model nosuch", "neither a known name nor a file"},
+        Mistake{"--model dukc", "did you mean 'duck'?"}, Mistake{"--model /no/such.stl", "no such file"},
+        Mistake{"--resolution 3000", "expected 2 to 1024"},
         Mistake{"--resolution abc", "cells along the longest side"},
         Mistake{"--wall 0.5h", "expected at least 0.87"}, Mistake{"--wall 50%", "leaves no interior"},
         Mistake{"--wall x", "expected a positive number"},
@@ -135,18 +110,28 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"--set solver.start=nowhere", "expected lower, middle or upper"},
         Mistake{"--set problem.lambda=-1", "expected lambda >= 0"},
         Mistake{"--formulation nosuch", "expected one of"},
-        Mistake{"--problem nosuch", "expected one of: spin"},
+        Mistake{"--problem nosuch", "expected one of: spin, stand, float, balance"},
+        Mistake{"--problem float --set problem.draft=abc",
+                "problem.draft = abc; expected a share of the height"},
+        Mistake{"--problem float --density 3 --set problem.draft=solid", "sinks"},
+        Mistake{"--problem stand --set problem.target=foo",
+                "problem.target = foo for stand; expected centre, inside or max-tilt"},
+        Mistake{"--problem stand --model ellipsoid --fineness 4", "ellipsoid has no base to stand on: 1 of"},
+        Mistake{"--problem stand --model ellipsoid --set problem.base=0%", "has no base to stand on: 1 of"},
+        Mistake{"--problem balance", "expected --set problem.point=x,y,z"},
+        Mistake{"--problem balance --set problem.point=1,2", "problem.point = 1,2 for balance; expected"},
         Mistake{"--solver nosuch", "expected one of: ipopt"}, Mistake{"--axis 0,0,0", "no direction"},
         Mistake{"--axis 1,2", "three numbers"}, Mistake{"--density 0", "expected > 0"},
         Mistake{"--size -3", "expected > 0"}, Mistake{"--device nosuch", "not found"},
         Mistake{"--nosuch", "not expected"}, Mistake{"--repeat 0", "expected a whole number >= 1"},
         Mistake{"--mesh /no/such/folder/a.stl", "expected an existing folder"},
+        Mistake{"--mesh part.step", "expected .stl, .3mf, .obj, .ply or .off"},
         Mistake{"--json /no/such/folder/a.json", "expected an existing folder"},
         Mistake{"run nosuch", "nosuch"}, Mistake{"show /no/such.h5", "no such file"}));
 
 TEST_F(Bench, RefusesAnOpenMeshAndSaysWhere) {
   std::ofstream(file("open.off")) << "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n";
-  const Answer a = bench(fmt::format("--model {}", file("open.off")));
+  const BenchAnswer a = bench(fmt::format("--model {}", file("open.off")));
   EXPECT_EQ(a.code, 2) << a.out;
   EXPECT_NE(a.out.find("open edges: 3"), std::string::npos) << a.out;
 }
@@ -157,10 +142,120 @@ TEST_F(Bench, AnInfeasibleProblemEndsWithThree) {
       << "OFF\n8 12 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n0 0 4\n4 0 4\n4 4 4\n0 4 4\n"
          "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n"
          "3 3 0 4\n3 3 4 7\n";
-  const Answer a = bench(
+  const BenchAnswer a = bench(
       fmt::format("--model {} --contact 0.2,0.2,0 --resolution 12 --formulation voxel", file("box.off")));
   EXPECT_EQ(a.code, 3) << a.out;
   EXPECT_NE(a.out.find("does not spin"), std::string::npos) << a.out;
+}
+
+/// The bird on a coarse grid: its wall is thick, and what can be asked of it is little.
+constexpr const char* bird = "--model bird --fineness 16 --resolution 24";
+
+nlohmann::json json_of(const std::string& file) { return nlohmann::json::parse(std::ifstream(file)); }
+
+/// Moments of a written file, g and mm; at 1 g/cm^3.
+Moments written_moments(const std::string& file) {
+  return 1e-3 * reference::mesh_moments(read_mesh(file)).value;
+}
+
+TEST_F(Bench, AFloatIsWrittenWithTheMassOfTheWaterThatItsOutsideDisplaces) {
+  const BenchAnswer a = bench(fmt::format("{} --problem float --set problem.draft=60% --json {} --mesh {}", bird,
+                                     file("r.json"), file("part.stl")));
+  ASSERT_EQ(a.code, 0) << a.out;
+  EXPECT_NE(a.out.find("  possible   at this draft with a material of"), std::string::npos) << a.out;
+  EXPECT_EQ(a.out.find("  infeasible "), std::string::npos) << a.out;
+  const auto json = json_of(file("r.json"));
+  EXPECT_EQ(json.at("problem"), "float");
+  EXPECT_EQ(json.at("termination"), "optimal");
+  EXPECT_EQ(json.at("steps"), 1);
+  EXPECT_EQ(json.at("infeasibility"), "");
+  EXPECT_NE(json.at("scope").get<std::string>().find("(here 1)"), std::string::npos) << json.at("scope");
+  EXPECT_EQ(json.at("variables"), json.at("rays")) << "one a ray";
+
+  // What the program says of the file, from the file: its outer shell is its largest part, and comes first.
+  const TriangleMesh part = read_mesh(file("part.stl"));
+  const auto& verified = json.at("verified");
+  TriangleMesh outer = part;
+  outer.triangles.resize(verified.at("triangles").get<std::size_t>() -
+                         verified.at("void_triangles").get<std::size_t>());
+  const Box box = bounding_box(outer);
+  const Hydrostatics water = hydrostatics(outer, box.lo[2] + 0.6 * box.extent()[2]);
+  const Moments s = written_moments(file("part.stl"));
+  const Eigen::Vector3d c = centre_of_mass(s);
+  // Coordinates are written as floats of up to 60 mm, 2e-6 mm off; over an area of some 10^4 mm^2.
+  EXPECT_NEAR(verified.at("displaced_mm3").get<double>(), water.volume, 0.1);
+  EXPECT_NEAR(verified.at("excess_mass").get<double>(), s[S1] / (1e-3 * water.volume) - 1, 1e-5);
+  EXPECT_NEAR(verified.at("metacentric_height_mm").get<double>(), water.metacentre() - c[2], 1e-4);
+  EXPECT_NEAR(verified.at("offset_mm").get<double>(), (c - water.centre_of_buoyancy).head<2>().norm(), 1e-4);
+  // The optimum has the mass to 1e-9; rounded, each ray is off by half a voxel at most, at random.
+  EXPECT_NEAR(s[S1], 1e-3 * water.volume, 0.01 * s[S1]);
+}
+
+TEST_F(Bench, AFloatThatIsTooHeavyEndsWithThreeAndSaysWhatIsOutOfReach) {
+  const BenchAnswer a = bench(fmt::format("{} --problem float --density 3 --json {}", bird, file("r.json")));
+  EXPECT_EQ(a.code, 3) << a.out;
+  EXPECT_NE(a.out.find("  infeasible mass = displaced mass is out of reach by "), std::string::npos) << a.out;
+  EXPECT_NE(a.out.find("does not float upright (too heavy"), std::string::npos) << a.out;
+  const auto json = json_of(file("r.json"));
+  EXPECT_EQ(json.at("termination"), "infeasible");
+  // All void, the shell alone is left: what it weighs beyond the water, in solid masses.
+  double miss = 0;
+  const std::string text = json.at("infeasibility");
+  ASSERT_EQ(std::sscanf(text.c_str(), "mass = displaced mass is out of reach by %lf", &miss), 1) << text;
+  const double shell = json.at("moments")[0].get<double>() / json.at("solid_mass_g").get<double>();
+  const double water =
+      json.at("verified").at("displaced_mm3").get<double>() * 1e-3 / json.at("solid_mass_g").get<double>();
+  EXPECT_NEAR(miss, shell - water, 6e-4 * miss + 1e-6) << "three digits are printed";
+}
+
+TEST_F(Bench, TheSteepestTiltIsASequenceOfSolves) {
+  const BenchAnswer a = bench(fmt::format("{} --problem stand --set problem.target=max-tilt --json {} --mesh {}",
+                                     bird, file("r.json"), file("part.stl")));
+  ASSERT_EQ(a.code, 0) << a.out;
+  const auto json = json_of(file("r.json"));
+  EXPECT_GT(json.at("steps"), 1);
+  EXPECT_LE(json.at("steps"), 8) << "superlinear";
+  EXPECT_NE(a.out.find(fmt::format(", {} steps)", json.at("steps").get<int>())), std::string::npos) << a.out;
+  EXPECT_LT(json.at("objective"), json.at("solid_objective")) << "steeper than the solid";
+  const double tilt = json.at("verified").at("tilt_degrees");
+  const double tangent = std::tan(tilt * std::acos(-1.0) / 180);
+  EXPECT_NEAR(tangent, -json.at("rounding").at("objective").get<double>(), 1e-6) << "round-off of the file";
+  const Eigen::Vector3d c = centre_of_mass(written_moments(file("part.stl")));
+  const double base = bounding_box(read_mesh(file("part.stl"))).lo[2];
+  EXPECT_NEAR(json.at("verified").at("centre_of_mass_z_mm").get<double>(), c[2] - base, 1e-4);
+}
+
+TEST_F(Bench, BalancesAtAPointOfTheModelsOwnCoordinates) {
+  const BenchAnswer solid = bench(
+      fmt::format("{} --problem stand --set problem.target=inside --json {}", bird, file("solid.json")));
+  ASSERT_NE(solid.code, 2) << solid.out;
+  const auto m = json_of(file("solid.json")).at("moments");
+  // Near to a centre of mass that can be had, so there is a way.
+  const double x = m[1].get<double>() / m[0].get<double>(), y = m[2].get<double>() / m[0].get<double>(),
+               z = m[3].get<double>() / m[0].get<double>() + 0.3;
+  const BenchAnswer a =
+      bench(fmt::format("{} --problem balance --set problem.point={:.3f},{:.3f},{:.3f} --json {} "
+                        "--mesh {}",
+                        bird, x, y, z, file("r.json"), file("part.stl")));
+  ASSERT_EQ(a.code, 0) << a.out;
+  EXPECT_EQ(json_of(file("r.json")).at("termination"), "optimal");
+  const Eigen::Vector3d c = centre_of_mass(written_moments(file("part.stl")));
+  EXPECT_NEAR((c - Vec3(x, y, z)).norm(),
+              json_of(file("r.json")).at("verified").at("offset_mm").get<double>(), 1e-3);
+  // Rounded to voxels of 2.5 mm, half of one a ray at random.
+  EXPECT_NEAR((c - Vec3(x, y, z)).norm(), 0, 0.1);
+}
+
+TEST_F(Bench, EverySettingOfAProblemCanBeGivenToEveryFormulation) {
+  for (const char* way : {"--formulation voxel", "--formulation rayrep --set formulation.unit=body",
+                          "--formulation rayrep --set ipopt.hessian_approximation=limited-memory"})
+    for (const char* problem :
+         {"float --set problem.fluid_density=1.2 --set problem.draft=25mm",
+          "stand --set problem.target=inside --set problem.margin=0.1 --set problem.base=2%"}) {
+      const BenchAnswer a = bench(fmt::format("{} {} --problem {}", bird, way, problem));
+      EXPECT_EQ(a.code, 0) << way << ' ' << problem << '\n' << a.out;
+      EXPECT_NE(a.out.find("  solve      optimal"), std::string::npos) << a.out;
+    }
 }
 
 TEST_F(Bench, RunsAnExperimentSkipsWhatIsDoneAndShowsIt) {
@@ -169,25 +264,26 @@ TEST_F(Bench, RunsAnExperimentSkipsWhatIsDoneAndShowsIt) {
          "[[run]]\nformulation = [\"rayrep\", \"voxel\"]\n";
   const std::string run = fmt::format("run {} --results {}", file("tiny.toml"), file("runs"));
   EXPECT_NE(bench(run + " --dry-run").out.find("2 to run"), std::string::npos);
-  const Answer first = bench(run);
+  const BenchAnswer first = bench(run);
   EXPECT_EQ(first.code, 0) << first.out;
   EXPECT_NE(first.out.find("2 runs done, 0 finished before"), std::string::npos) << first.out;
-  const Answer second = bench(run);
+  const BenchAnswer second = bench(run);
   EXPECT_NE(second.out.find("0 runs done, 2 finished before"), std::string::npos) << second.out;
-  const Answer shown = bench(fmt::format("show {}", file("runs")));
+  const BenchAnswer shown = bench(fmt::format("show {}", file("runs")));
   EXPECT_EQ(shown.code, 0) << shown.out;
   EXPECT_NE(shown.out.find("verified"), std::string::npos) << shown.out;
 }
 
 TEST_F(Bench, ListNamesEverythingAndWhichPairsWork) {
-  const Answer a = bench("list");
+  const BenchAnswer a = bench("list");
   EXPECT_EQ(a.code, 0);
-  for (const char* name : {"ellipsoid", "bird", "spin", "voxel", "rayrep", "ipopt", "rayrep_table2"})
+  for (const char* name : {"ellipsoid", "bird", "spin", "stand", "float", "balance", "voxel", "rayrep",
+                           "ipopt", "rayrep_table2"})
     EXPECT_NE(a.out.find(name), std::string::npos) << name;
 }
 
 TEST_F(Bench, DevicesSaysWhatThereIs) {
-  const Answer a = bench("devices --no-measure");
+  const BenchAnswer a = bench("devices --no-measure");
   EXPECT_EQ(a.code, 0) << a.out;
   EXPECT_NE(a.out.find("fp64"), std::string::npos);
 }

@@ -1,5 +1,6 @@
 #include "body/body.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -8,9 +9,10 @@
 
 #include "body/mesh_moments.hpp"
 #include "body/models.hpp"
+#include "body/models/debian_meshes.hpp"
 #include "body/test_meshes.hpp"
-#include "device/scoped_environment.hpp"
 #include "error.hpp"
+#include "temporary_folder.hpp"
 #include "test_device.hpp"
 
 namespace kreisel {
@@ -33,8 +35,8 @@ class BodyOfABox : public testing::Test {
     return spec;
   }
 
-  ScopedFolder folder_{"kreisel-body-test"};
-  std::filesystem::path file_ = folder_.path() / "brick.off";
+  TemporaryFolder folder_;
+  std::filesystem::path file_ = folder_.path / "brick.off";
 };
 
 /// The kernel's bound for 12 triangles and the few roundings of the frame, in numbers of order one.
@@ -104,6 +106,26 @@ TEST_F(BodyOfABox, HollowedOutKeepsTheShellAndTakesTheFillBack) {
   EXPECT_LE((mass.total(Moments::Zero()) - (body.solid - interior)).cwiseAbs().maxCoeff(), 4 * 0x1p-53);
 }
 
+TEST_F(BodyOfABox, MendsTheMeshOfAFileAndSaysSo) {
+  std::ofstream(file_)
+      << "OFF\n5 4 0\n0 0 0\n6 0 0\n0 6 0\n0 0 6\n9 9 9\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n";
+  const Body body = make_body(spec(), test_device());
+  EXPECT_EQ(body.repairs, (std::vector<std::string>{"dropped 1 unused vertex", "turned 1 inside-out shell"}));
+  EXPECT_EQ(body.mesh.vertices.size(), 4u);
+  EXPECT_NEAR(body.solid[S1], 1, tolerance());
+}
+
+TEST_F(BodyOfABox, RefusesAMeshThatRunsThroughItself) {
+  std::ofstream(file_) << "OFF\n8 8 0\n0 0 0\n6 0 0\n0 6 0\n0 0 6\n1 1 -1\n7 1 -1\n1 7 -1\n1 1 5\n"
+                          "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 4 6 5\n3 4 5 7\n3 5 6 7\n3 6 4 7\n";
+  try {
+    (void)make_body(spec(), test_device());
+    FAIL() << "accepted";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("runs through itself"), std::string::npos) << e.what();
+  }
+}
+
 TEST(Body, OfEveryModelHasUnitMass) {
   for (const Model& model : models()) {
     BodySpec spec;
@@ -115,7 +137,7 @@ TEST(Body, OfEveryModelHasUnitMass) {
     EXPECT_NEAR(body.solid[S1], 1, 8 * mesh_moments_bound(body.local, test_device())) << model.name;
     EXPECT_GT(centre_of_mass(body.solid)[2], 0) << model.name << " lies above its contact point";
     EXPECT_GE(bounding_box(body.local).lo[2], -1e-12) << "the contact point is the lowest";
-    EXPECT_EQ(body.local.triangles.size(), 20u * 6 * 6);
+    EXPECT_EQ(body.local.triangles.size(), model.make(6).triangles.size()) << "as fine as was asked";
   }
 }
 
@@ -179,12 +201,26 @@ TEST(Body, RefusesAContactThatIsNotFinite) {
   refuses(spec, {"--contact", "expected three numbers"});
 }
 
-TEST(Body, RefusesAnUnknownModelAndNamesThoseThereAre) {
+TEST(Body, RefusesAnUnknownModelAndNamesTheNearest) {
   BodySpec spec;
-  spec.model = "elipsoid";
-  std::vector<std::string> parts = {"'elipsoid'"};
-  for (const Model& model : models()) parts.emplace_back(model.name);
-  refuses(spec, parts);
+  for (const auto& [wrong, right] : {std::pair{"elipsoid", "'ellipsoid'"}, {"armadilo", "'armadillo'"}}) {
+    spec.model = wrong;
+    refuses(spec, {fmt::format("'{}'", wrong), fmt::format("did you mean {}?", right)});
+  }
+  spec.model = "qwertyuiop";
+  refuses(spec, {"'qwertyuiop'", "`bench list`"});
+}
+
+TEST(Body, OfARealMeshStandsUprightAtItsSize) {
+  if (!debian_meshes_installed()) GTEST_SKIP() << "libcgal-demo is not installed";
+  BodySpec spec;
+  spec.model = "elephant";
+  const Body body = make_body(spec, test_device());
+  EXPECT_EQ(body.name, "elephant");
+  EXPECT_NEAR(bounding_box(body.mesh).extent().maxCoeff(), 60, 60 * 0x1p-51);
+  EXPECT_EQ(body.axis, Vec3::UnitY());
+  spec.up = Vec3::UnitX();
+  EXPECT_EQ(make_body(spec, test_device()).axis, Vec3::UnitX()) << "--up leads the axis along";
 }
 
 TEST(Body, RefusesAFileThatDoesNotExist) {

@@ -12,6 +12,7 @@
 
 #include "device/kernel_source.hpp"
 #include "device/scoped_environment.hpp"
+#include "temporary_folder.hpp"
 #include "test_device.hpp"
 
 namespace kreisel {
@@ -24,12 +25,12 @@ class Program : public testing::Test {
  protected:
   [[nodiscard]] std::vector<fs::path> cached() const {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(folder_.path())) files.push_back(entry.path());
+    for (const auto& entry : fs::directory_iterator(folder_.path)) files.push_back(entry.path());
     return files;
   }
 
-  ScopedFolder folder_{"kreisel-program-test"};
-  ScopedEnvironment variable_{"KREISEL_CACHE_DIR", folder_.path().string()};
+  TemporaryFolder folder_;
+  ScopedEnvironment variable_{"KREISEL_CACHE_DIR", folder_.path.string()};
 };
 
 std::string content(const fs::path& file) {
@@ -101,7 +102,7 @@ TEST_F(Program, IsBuiltAnewFromADamagedCacheFile) {
 }
 
 TEST_F(Program, BuildsWithoutAWritableCache) {
-  const fs::path file = folder_.path() / "a file, no folder";
+  const fs::path file = folder_.path / "a file, no folder";
   std::ofstream(file) << "x";
   const ScopedEnvironment variable("KREISEL_CACHE_DIR", file.string());
   EXPECT_EQ(device::cache_folder(), file);
@@ -109,7 +110,7 @@ TEST_F(Program, BuildsWithoutAWritableCache) {
 }
 
 TEST_F(Program, CacheFolderFollowsTheEnvironment) {
-  EXPECT_EQ(device::cache_folder(), folder_.path());
+  EXPECT_EQ(device::cache_folder(), folder_.path);
   ::unsetenv("KREISEL_CACHE_DIR");  // variable_ restores it
   {
     const ScopedEnvironment xdg("XDG_CACHE_HOME", "/somewhere");

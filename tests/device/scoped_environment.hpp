@@ -1,10 +1,7 @@
-// scoped_environment.hpp - environment variables and folders that a test borrows and gives back.
+// scoped_environment.hpp - environment variables that a test borrows and gives back.
 #pragma once
 
-#include <unistd.h>
-
 #include <cstdlib>
-#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -29,27 +26,6 @@ class ScopedEnvironment {
  private:
   std::string name_;
   std::optional<std::string> old_;
-};
-
-/// An empty folder of this process, removed at the end of the scope.
-class ScopedFolder {
- public:
-  explicit ScopedFolder(const std::string& name)
-      : path_(std::filesystem::temp_directory_path() / (name + "-" + std::to_string(::getpid()))) {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  ~ScopedFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScopedFolder(const ScopedFolder&) = delete;
-  ScopedFolder& operator=(const ScopedFolder&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
 };
 
 }  // namespace kreisel

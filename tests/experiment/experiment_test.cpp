@@ -7,8 +7,10 @@
 
 #include "error.hpp"
 #include "experiment/data_folder.hpp"
+#include "experiment/published.hpp"
 #include "experiment/run_text.hpp"
-#include "experiment/temporary_folder.hpp"
+#include "experiment/table.hpp"
+#include "temporary_folder.hpp"
 
 namespace kreisel {
 namespace {
@@ -56,10 +58,10 @@ TEST(Experiment, ListsOfDefaultsVarySlowestAndARunReplacesThemWhole) {
 TEST(Experiment, NamesItselfAfterItsFileAndKeepsWhatItSaysOfItsTable) {
   EXPECT_EQ(parse("[[run]]").name, "trial");
   EXPECT_EQ(parse("[[run]]").title, "trial");
-  EXPECT_EQ(parse("[[run]]").table, Experiment::Table::runs);
+  EXPECT_EQ(parse("[[run]]").table, "runs");
   const auto experiment = parse("title = 'A trial'\ntable = 'speedup'\npublished = 'x'\n[[run]]");
   EXPECT_EQ(experiment.title, "A trial");
-  EXPECT_EQ(experiment.table, Experiment::Table::speedup);
+  EXPECT_EQ(experiment.table, "speedup");
   EXPECT_EQ(experiment.published, "x");
   EXPECT_EQ(experiment.runs.size(), 1u);
 }
@@ -137,6 +139,9 @@ TEST(Experiment, RefusesAMeshThatIsNoBoolean) {
   refuses("[[run]]\nmesh = 'yes'", 2, {"mesh", "true or false"});
 }
 TEST(Experiment, RefusesAnUnknownTable) { refuses("table = 'pie'\n[[run]]", 1, {"pie", "speedup"}); }
+TEST(Experiment, SuggestsTheTableThatWasMeant) {
+  refuses("table = 'setings'\n[[run]]", 1, {"did you mean 'settings'?"});
+}
 TEST(Experiment, RefusesATitleInsideARun) { refuses("[[run]]\ntitle = 'x'", 2, {"title"}); }
 TEST(Experiment, RefusesARunInSingleBrackets) { refuses("[run]\nrepeat = 1", 1, {"[[run]]"}); }
 TEST(Experiment, RefusesAFileWithoutRuns) { refuses("repeat = 1", 1, {"no run"}); }
@@ -177,6 +182,18 @@ TEST(FindExperiment, ListsTheNamesThereAreWhenItFindsNone) {
   }
 }
 
+TEST(FindExperiment, SuggestsTheNameThatWasMeant) {
+  const TemporaryFolder folder;
+  folder.write("experiments/only_here.toml", "[[run]]");
+  const Variable data("KREISEL_DATA", folder.path.string());
+  try {
+    (void)find_experiment("only_heer");
+    FAIL() << "found";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean 'only_here'?"), std::string::npos) << error.what();
+  }
+}
+
 TEST(FindExperiment, RefusesAFileThatCannotBeRead) {
   const TemporaryFolder folder;
   EXPECT_THROW((void)read_experiment(folder.path / "none.toml"), InputError);
@@ -191,6 +208,86 @@ TEST(DataFolder, RefusesAVariableThatNamesNoFolder) {
 
 TEST(DataFolder, HasTheExperimentsThatComeWithTheProgram) {
   EXPECT_TRUE(std::filesystem::is_directory(data_folder() / "experiments"));
+}
+
+TEST(Experiment, KeepsItsFiguresAndTheCommentItOpensWith) {
+  const auto experiment =
+      parse("# trial.toml - why?\n#\n# Because.\n\n# not this\nfigures = ['a', 'b']\n[[run]]");
+  EXPECT_EQ(experiment.about, "trial.toml - why?\n\nBecause.\n");
+  EXPECT_EQ(experiment.figures, (Texts{"a", "b"}));
+  EXPECT_EQ(parse("[[run]]").about, "");
+}
+TEST(Experiment, RefusesFiguresThatAreNoListOfNames) {
+  refuses("figures = 'settings'\n[[run]]", 1, {"figures", "list"});
+  refuses("figures = [\n3]\n[[run]]", 2, {"figures"});
+}
+
+TEST(Experiment, CrossesSettingsWithEverythingElse) {
+  const auto experiment = parse(R"(
+    model = ["ellipsoid", "bird"]
+    set.solver.start = ["lower", "middle", "upper"]
+    [[run]]
+    set.ipopt.hessian_approximation = ["exact", "limited-memory"]
+  )");
+  ASSERT_EQ(experiment.runs.size(), 12u);
+  std::map<std::string, int> seen;
+  for (const auto& run : experiment.runs)
+    ++seen[run.config.body.model + ' ' + run.config.settings.at("solver.start") + ' ' +
+           run.config.settings.at("ipopt.hessian_approximation")];
+  EXPECT_EQ(seen.size(), 12u) << "each combination once";
+  EXPECT_EQ(experiment.runs[1].config.settings.at("ipopt.hessian_approximation"), "limited-memory");
+  EXPECT_EQ(experiment.runs[1].config.settings.at("solver.start"), "lower");
+  EXPECT_EQ(experiment.runs[2].config.settings.at("solver.start"), "middle");
+}
+
+/// Every experiment that comes with the program, so that a typing error in one fails here and not after an
+/// hour.
+TEST(Experiments, AreReadAndNameTablesFiguresAndPublishedNumbersThatThereAre) {
+  for (const auto& entry : std::filesystem::directory_iterator(data_folder() / "experiments")) {
+    if (entry.path().extension() != ".toml") continue;
+    SCOPED_TRACE(entry.path().string());
+    const auto experiment = read_experiment(entry.path());
+    EXPECT_NO_THROW((void)find_table_kind(experiment.table));
+    for (const auto& figure : experiment.figures)
+      EXPECT_TRUE(std::filesystem::exists(data_folder() / "plots" / (figure + ".py"))) << figure;
+    if (!experiment.published.empty()) {
+      EXPECT_NO_THROW((void)read_published(published_file(experiment.published)));
+    }
+    EXPECT_NE(experiment.title, experiment.name);
+    EXPECT_TRUE(experiment.about.starts_with(experiment.name + ".toml - ")) << experiment.about;
+  }
+}
+
+TEST(RayrepTable1, RunsThePapersFiveBodiesUnderTwoLabels) {
+  const auto experiment = read_experiment(data_folder() / "experiments" / "rayrep_table1.toml");
+  const auto printed = read_published(published_file("rayrep_table1"));
+  std::map<std::string, int> count;
+  for (const auto& [config, label, mesh] : experiment.runs) {
+    ++count[label];
+    EXPECT_NE(printed.find(config.body.model, config.grid.cells, config.problem), nullptr)
+        << config.body.model;
+    EXPECT_EQ(config.formulation, "rayrep");
+    EXPECT_EQ(to_string(config.wall), "1.5h");
+  }
+  EXPECT_EQ(count, (std::map<std::string, int>{{"best", 5}, {"paper", 5}}));
+}
+
+TEST(SolverSettings, VaryOneFactorAtATimeAroundTheDefaults) {
+  const auto experiment = read_experiment(data_folder() / "experiments" / "solver_settings.toml");
+  std::map<std::string, int> defaults;
+  for (const auto& [config, label, mesh] : experiment.runs) {
+    auto settings = config.settings;
+    settings.erase("ipopt.max_iter");
+    settings.erase("ipopt.max_cpu_time");
+    // A second factor stands beside L-BFGS alone.
+    EXPECT_TRUE(settings.size() <= 1 || settings.contains("ipopt.hessian_approximation")) << label;
+    EXPECT_LE(settings.size(), 2u) << label;
+    EXPECT_EQ(settings.empty(), label == "defaults");
+    if (settings.empty()) ++defaults[config.body.model + ' ' + config.formulation];
+  }
+  EXPECT_EQ(defaults,
+            (std::map<std::string, int>{
+                {"bird rayrep", 1}, {"bird voxel", 1}, {"ellipsoid rayrep", 1}, {"ellipsoid voxel", 1}}));
 }
 
 TEST(RayrepTable2, SolvesThePapersSevenGridsBothWaysUnderTwoLabels) {

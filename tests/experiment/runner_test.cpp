@@ -10,8 +10,8 @@
 
 #include "error.hpp"
 #include "experiment/progress.hpp"
-#include "experiment/temporary_folder.hpp"
 #include "record/record.hpp"
+#include "temporary_folder.hpp"
 
 namespace kreisel {
 namespace {
@@ -233,6 +233,44 @@ TEST(Estimate, WritesDurationsInTheUnitThatFits) {
   EXPECT_EQ(duration_text(99), "99 s");
   EXPECT_EQ(duration_text(185), "3 min");
   EXPECT_EQ(duration_text(7500), "2 h 05 min");
+}
+
+TEST_F(Runner, RunsAgainWhatWasTimedLessOftenThanAskedNow) {
+  run();
+  ran.clear();
+  for (auto& planned : experiment.runs) planned.config.repeat = 3;
+  EXPECT_EQ(plan_runs(experiment, options)[0].state, RunState::few_samples);
+  when(0, [](RunResult& result) { result.samples.assign(3, result.samples.front()); });
+  run();
+  EXPECT_EQ(ran.size(), experiment.runs.size());
+  ran.clear();
+  // The first now has three samples; the others were asked for three and gave one, so they would again.
+  run();
+  EXPECT_EQ(ran, std::vector<std::string>{});
+  // Less is asked: three samples are more than enough.
+  for (auto& planned : experiment.runs) planned.config.repeat = 2;
+  run();
+  EXPECT_EQ(ran, std::vector<std::string>{});
+}
+
+TEST_F(Runner, DoesNotTimeAgainWhatUsedUpItsSeconds) {
+  for (auto& planned : experiment.runs) planned.config.budget_seconds = 0.25;  // a sample takes 0.3
+  run();
+  ran.clear();
+  for (auto& planned : experiment.runs) planned.config.repeat = 3;
+  run();
+  EXPECT_EQ(ran, std::vector<std::string>{});
+}
+
+TEST_F(Runner, LeavesNoRecordOfARunInterruptedBetweenTwoTimedSolves) {
+  experiment.runs[0].config.repeat = 2;
+  bool asked = false;
+  hooks.interrupted = [&] { return asked; };
+  when(0, [&](RunResult&) { asked = true; });
+  const RunCounts counts = run();
+  EXPECT_TRUE(counts.interrupted);
+  EXPECT_EQ(counts.done, 0);
+  EXPECT_FALSE(fs::exists(record(0)));
 }
 
 }  // namespace

@@ -29,11 +29,14 @@ struct Kind {
   std::string formulation;
   FormulationSettings settings;
   bool single;
+  Filling filling = Filling::segment;
 };
 
 std::string name_of(const Kind& kind) {
   std::string name = kind.formulation;
   for (const auto& [key, value] : kind.settings) name += "_" + value;
+  if (kind.filling == Filling::from_below) name += "_from_below";
+  if (kind.filling == Filling::either_end) name += "_either_end";
   return name + (kind.single ? "_single" : "");
 }
 
@@ -43,11 +46,22 @@ class FormulationOn : public testing::TestWithParam<Kind> {
  protected:
   device::Device& device() { return GetParam().single ? single_device() : test_device(); }
   std::unique_ptr<Formulation> make() {
-    return make_formulation(GetParam().formulation, torus(), {}, GetParam().settings, device());
+    return make_formulation(GetParam().formulation, torus(), {GetParam().filling}, GetParam().settings,
+                            device());
   }
+  /// Two variables a ray that may meet anywhere.
   [[nodiscard]] bool ordered() const {
+    if (GetParam().formulation == "voxel" || from_below()) return false;
     const auto found = GetParam().settings.find("bounds");
-    return found != GetParam().settings.end() && found->second == "ordered";
+    if (found != GetParam().settings.end()) return found->second == "ordered";
+    return GetParam().filling == Filling::either_end;
+  }
+  [[nodiscard]] bool from_below() const { return GetParam().filling == Filling::from_below; }
+  /// A ray's z0 and z1 are variables, interleaved.
+  [[nodiscard]] bool two_ends() const { return GetParam().formulation == "rayrep" && !from_below(); }
+  [[nodiscard]] double unit() const {
+    const auto found = GetParam().settings.find("unit");
+    return found != GetParam().settings.end() && found->second == "body" ? 1 : torus().grid.h;
   }
 
   /// Random variables within bounds and the formulation's own rows.
@@ -69,7 +83,7 @@ class FormulationOn : public testing::TestWithParam<Kind> {
 TEST_P(FormulationOn, AllSolidHasTheMomentsOfTheInterior) {
   auto f = make();
   std::vector<double> x = f->bounds().upper;
-  if (f->name() == "rayrep")  // each ray from its lowest to its highest point
+  if (two_ends())  // each ray from its lowest to its highest point
     for (std::size_t i = 0; i < x.size(); i += 2) x[i] = f->bounds().lower[i];
   const Moments got = f->moments(x);
   for (int k = 0; k < 10; ++k) EXPECT_NEAR(got[k], torus().interior[k], tolerance()) << moment_names[k];
@@ -81,7 +95,7 @@ TEST_P(FormulationOn, AllSolidHasTheMomentsOfTheInterior) {
 TEST_P(FormulationOn, AllVoidHasNoMoments) {
   auto f = make();
   std::vector<double> x = f->bounds().lower;
-  for (std::size_t i = 0; f->name() == "rayrep" && i < x.size(); i += 2)
+  for (std::size_t i = 0; two_ends() && i < x.size(); i += 2)
     x[i] = x[i + 1];  // the lowest z1, which every kind of bounds allows z0 as well
   EXPECT_EQ(f->moments(x), Moments(Moments::Zero()));
 }
@@ -103,7 +117,7 @@ TEST_P(FormulationOn, KeepsSegmentsInOrderByBoundsOrByRows) {
   const SparseRows rows = f->own_constraints();
   if (!ordered()) {
     EXPECT_TRUE(rows.entries.empty() && rows.lower.empty() && rows.upper.empty());
-    if (f->name() == "rayrep") {
+    if (two_ends()) {
       for (std::size_t i = 0; i < f->num_variables(); i += 2)
         EXPECT_EQ(f->bounds().upper[i], f->bounds().lower[i + 1]) << "z0 <= middle <= z1";
     }
@@ -189,13 +203,12 @@ TEST_P(FormulationOn, AFillOfWholeVoxelsRoundsToItself) {
   for (std::size_t i = 0; i < domain.intervals.size(); ++i) {
     const Interval& run = domain.intervals[i];
     const int middle = (run.k0 + run.k1) / 2;  // z0 <= middle <= z1 under either kind of bounds
-    const int from = std::uniform_int_distribution<int>(run.k0, middle)(random);
+    const int from = from_below() ? run.k0 : std::uniform_int_distribution<int>(run.k0, middle)(random);
     const int to = std::uniform_int_distribution<int>((run.k0 + run.k1 + 1) / 2, run.k1)(random);
     for (int k = from; k < to; ++k) wanted.set(wanted.first(i) + static_cast<std::size_t>(k - run.k0), true);
     if (f->name() == "voxel") continue;
-    const bool body = GetParam().settings.contains("unit") && GetParam().settings.at("unit") == "body";
-    x[2 * i] = domain.grid.face(2, from) / (body ? 1 : domain.grid.h);
-    x[2 * i + 1] = domain.grid.face(2, to) / (body ? 1 : domain.grid.h);
+    if (two_ends()) x[2 * i] = domain.grid.face(2, from) / unit();
+    x[two_ends() ? 2 * i + 1 : i] = domain.grid.face(2, to) / unit();
   }
   if (f->name() == "voxel")
     for (std::size_t v = 0; v < x.size(); ++v) x[v] = wanted.solid(v) ? 1 : 0;
@@ -216,16 +229,20 @@ TEST_P(FormulationOn, AFillOfWholeVoxelsRoundsToItself) {
 TEST_P(FormulationOn, RoundsToTheNearestVoxelFace) {
   auto f = make();
   const Columns& domain = torus();
-  const bool body = GetParam().settings.contains("unit") && GetParam().settings.at("unit") == "body";
   std::vector<double> x(f->num_variables(), 0.49);
   if (f->name() == "rayrep") {
-    const double unit = body ? 1 : domain.grid.h;
+    const double h = domain.grid.h;
     for (std::size_t i = 0; i < domain.intervals.size(); ++i) {
       // Just under half a cell inside the interval's own ends: nothing is lost.
-      x[2 * i] = (domain.grid.face(2, domain.intervals[i].k0) + 0.49 * domain.grid.h) / unit;
-      x[2 * i + 1] = (domain.grid.face(2, domain.intervals[i].k1) - 0.49 * domain.grid.h) / unit;
+      if (two_ends()) x[2 * i] = (domain.grid.face(2, domain.intervals[i].k0) + 0.49 * h) / unit();
+      x[two_ends() ? 2 * i + 1 : i] = (domain.grid.face(2, domain.intervals[i].k1) - 0.49 * h) / unit();
     }
     EXPECT_EQ(f->round(x).solid.count_solid(), domain.interior_voxels);
+    if (!from_below()) return;
+    // Just under half a cell of material: none is left, and nothing is mended.
+    for (std::size_t i = 0; i < domain.intervals.size(); ++i)
+      x[i] = (domain.grid.face(2, domain.intervals[i].k0) + 0.49 * h) / unit();
+    EXPECT_EQ(f->round(x).solid.count_solid(), 0u);
   } else {
     EXPECT_EQ(f->round(x).solid.count_solid(), 0u);
     std::ranges::fill(x, 0.5);
@@ -240,6 +257,12 @@ std::vector<Kind> kinds() {
     for (const char* bounds : {"midpoint", "ordered"})
       for (const char* unit : {"cell", "body"})
         all.push_back({"rayrep", {{"bounds", bounds}, {"unit", unit}}, single});
+    for (const char* unit : {"cell", "body"})
+      all.push_back({"rayrep", {{"unit", unit}}, single, Filling::from_below});
+    all.push_back({"rayrep", {{"bounds", "midpoint"}}, single, Filling::from_below});  // says nothing here
+    all.push_back({"rayrep", {}, single, Filling::either_end});
+    all.push_back({"rayrep", {{"bounds", "midpoint"}}, single, Filling::either_end});
+    all.push_back({"voxel", {}, single, Filling::from_below});
   }
   return all;
 }
@@ -255,6 +278,16 @@ TEST(MakeFormulation, DefaultsToMidpointsInCells) {
   EXPECT_EQ(plain->bounds().upper, spelt->bounds().upper);
   EXPECT_EQ(plain->num_variables(), 2 * torus().intervals.size());
   EXPECT_EQ(plain->name(), "rayrep");
+}
+
+TEST(MakeFormulation, RaysFilledFromBelowHaveOneVariableEach) {
+  const auto f = make_formulation("rayrep", torus(), {Filling::from_below}, {}, test_device());
+  ASSERT_EQ(f->num_variables(), torus().intervals.size());
+  const double h = torus().grid.h;
+  for (std::size_t i = 0; i < torus().intervals.size(); ++i) {
+    EXPECT_EQ(f->bounds().lower[i], torus().grid.face(2, torus().intervals[i].k0) / h);
+    EXPECT_EQ(f->bounds().upper[i], torus().grid.face(2, torus().intervals[i].k1) / h);
+  }
 }
 
 void refuses(const std::string& name, const FormulationSettings& settings, const std::string& part) {

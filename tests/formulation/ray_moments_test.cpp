@@ -8,19 +8,11 @@
 #include <string>
 
 #include "body/test_meshes.hpp"
+#include "formulation/odd_grid.hpp"
 #include "test_device.hpp"
 
 namespace kreisel {
 namespace {
-
-/// Spacing and origin that single precision has to round.
-Grid odd_grid() {
-  Grid grid;
-  grid.n = {61, 59, 53};
-  grid.h = 0.0173;
-  grid.origin = {-0.517, -0.43, 0.011};
-  return grid;
-}
 
 struct Rays {
   std::vector<std::uint32_t> columns;
@@ -212,6 +204,86 @@ TEST_P(RayMomentsOn, CurvatureMatchesCentralDifferencesOfThePullBack) {
     for (std::size_t j = 0; j < 2 * n; ++j)
       EXPECT_NEAR(got[j], (up[j] - down[j]) / (2 * step), tolerance) << "variable " << j;
   }
+}
+
+/// One end of each ray varies, the other stays: (x, fixed) of `ends` from the interleaved ends.
+struct Parted {
+  std::vector<double> x, fixed;
+};
+
+Parted part(const Rays& rays, Ends ends) {
+  Parted parted;
+  for (std::size_t i = 0; i < rays.x.size(); i += 2) {
+    const bool upper = ends == Ends::upper;
+    parted.x.push_back(rays.x[i + (upper ? 1 : 0)]);
+    parted.fixed.push_back(rays.x[i + (upper ? 0 : 1)]);
+  }
+  return parted;
+}
+
+TEST_P(RayMomentsOn, WithOneEndFixedStayWithinTheBoundOfTheReference) {
+  const Grid grid = odd_grid();
+  for (const Ends ends : {Ends::lower, Ends::upper})
+    for (const std::size_t n : {1u, 64u, 65u, 1025u, 7919u}) {
+      SCOPED_TRACE(testing::Message() << "ends " << static_cast<int>(ends) << ", " << n << " rays");
+      Random random(n);
+      const Rays rays = random_rays(grid, n, unit(), random);
+      const Parted parted = part(rays, ends);
+      RayMoments kernel(device(), grid, rays.columns, unit(), ends, parted.fixed);
+      const Moments got = kernel(parted.x);
+      const auto want = reference::ray_moments(grid, rays.columns, unit(), rays.x);
+      for (int k = 0; k < 10; ++k)
+        EXPECT_LE(std::abs(got[k] - want.value[k]), kernel.bound() * want.abs_sum[k]) << moment_names[k];
+      // The same operations in the same order as with both ends.
+      RayMoments both(device(), grid, rays.columns, unit());
+      EXPECT_EQ(got, both(rays.x));
+    }
+}
+
+TEST_P(RayMomentsOn, WithOneEndFixedDerivativesAreThoseOfThatEnd) {
+  const Grid grid = odd_grid();
+  const std::size_t n = 499, rows = 10;
+  Random random(6);
+  const Rays rays = random_rays(grid, n, unit(), random);
+  std::vector<Moments> weights;
+  Moments w;
+  for (int k = 0; k < 10; ++k) {
+    weights.push_back(Moments::Unit(k));
+    w[k] = uniform(random, -1, 1);
+  }
+  RayMoments both(device(), grid, rays.columns, unit());
+  std::vector<double> pulled(rows * 2 * n), curved(2 * n);
+  both.pull_back(rays.x, weights, pulled);
+  both.curvature(rays.x, w, curved);
+  for (const Ends ends : {Ends::lower, Ends::upper}) {
+    const Parted parted = part(rays, ends);
+    const std::size_t end = ends == Ends::upper ? 1 : 0;
+    RayMoments kernel(device(), grid, rays.columns, unit(), ends, parted.fixed);
+    std::vector<double> out(rows * n), curvature(n);
+    kernel.pull_back(parted.x, weights, out);
+    kernel.curvature(parted.x, w, curvature);
+    // With both ends they are tested against differences above; here the same expressions of the same
+    // numbers.
+    for (std::size_t r = 0; r < rows; ++r)
+      for (std::size_t i = 0; i < n; ++i)
+        EXPECT_EQ(out[r * n + i], pulled[r * 2 * n + 2 * i + end]) << "row " << r << ", ray " << i;
+    for (std::size_t i = 0; i < n; ++i) EXPECT_EQ(curvature[i], curved[2 * i + end]) << "ray " << i;
+  }
+}
+
+TEST_P(RayMomentsOn, WithOneEndFixedRefuseWrongLengths) {
+  Random random(7);
+  const Rays rays = random_rays(odd_grid(), 65, unit(), random);
+  const auto make = [&](Ends ends, std::size_t fixed) {
+    return RayMoments(device(), odd_grid(), rays.columns, unit(), ends, std::vector<double>(fixed));
+  };
+  for (const Ends ends : {Ends::lower, Ends::upper}) {
+    for (const std::size_t wrong : {0u, 64u, 66u, 130u})
+      EXPECT_THROW((void)make(ends, wrong), std::invalid_argument) << wrong;
+    RayMoments kernel = make(ends, 65);
+    EXPECT_THROW((void)kernel(rays.x), std::invalid_argument) << "130 values where 65 vary";
+  }
+  EXPECT_THROW((void)make(Ends::both, 65), std::invalid_argument);
 }
 
 INSTANTIATE_TEST_SUITE_P(BothPrecisionsAndUnits, RayMomentsOn,

@@ -6,19 +6,11 @@
 #include <string>
 
 #include "body/test_meshes.hpp"
+#include "formulation/odd_grid.hpp"
 #include "test_device.hpp"
 
 namespace kreisel {
 namespace {
-
-/// Spacing and origin that single precision has to round.
-Grid odd_grid() {
-  Grid grid;
-  grid.n = {61, 59, 53};
-  grid.h = 0.0173;
-  grid.origin = {-0.517, -0.43, 0.011};
-  return grid;
-}
 
 /// `count` cells all over the grid; cells may repeat, which sums do not mind.
 std::vector<std::uint32_t> random_cells(const Grid& grid, std::size_t count, Random& random) {

@@ -1,58 +1,19 @@
 #include "mesh/read.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstring>
-#include <fstream>
 #include <limits>
 
 #include "body/models/geodesic.hpp"
-#include "error.hpp"
 #include "mesh/check.hpp"
-#include "mesh/write_stl.hpp"
+#include "mesh/mesh_folder.hpp"
+#include "mesh/write.hpp"
 
 namespace kreisel {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// Each test has a folder of its own, gone afterwards.
-class ReadMesh : public ::testing::Test {
- protected:
-  ReadMesh() {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() /
-              ("kreisel_read_" + std::string(info->name()) + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  ~ReadMesh() override { fs::remove_all(folder_); }
-
-  fs::path file(const std::string& name, const std::string& bytes) const {
-    std::ofstream(folder_ / name, std::ios::binary) << bytes;
-    return folder_ / name;
-  }
-
-  TriangleMesh read(const std::string& name, const std::string& bytes) const {
-    return read_mesh(file(name, bytes));
-  }
-
-  /// The message is one line with the file and all the given parts.
-  void refuses(const fs::path& path, const std::vector<std::string>& parts) const {
-    try {
-      (void)read_mesh(path);
-      FAIL() << "accepted " << path;
-    } catch (const InputError& e) {
-      const std::string text = e.what();
-      EXPECT_EQ(text.find('\n'), std::string::npos) << text;
-      EXPECT_EQ(text.find(path.string()), 0u) << text;
-      EXPECT_NE(text.find("expected"), std::string::npos) << text;
-      for (const auto& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << " in: " << text;
-    }
-  }
-
-  fs::path folder_;
-};
+class ReadMesh : public MeshFolder {};
 
 const std::string off_tetrahedron =
     "OFF\n4 4 6\n0.12345678901234567 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
@@ -145,7 +106,7 @@ TEST_F(ReadMesh, TakesBinaryStlWhoseHeaderBeginsWithSolid) {
 
 TEST_F(ReadMesh, GetsBackTheSphereThatWasWrittenAsStl) {
   const TriangleMesh sphere = geodesic_sphere(7);
-  write_stl(folder_ / "s.stl", {sphere});
+  write_mesh(folder_ / "s.stl", {sphere});
   const TriangleMesh back = read_mesh(folder_ / "s.stl");
   EXPECT_EQ(back.vertices.size(), sphere.vertices.size());
   ASSERT_EQ(back.triangles.size(), sphere.triangles.size());
@@ -160,11 +121,12 @@ TEST_F(ReadMesh, GetsBackTheSphereThatWasWrittenAsStl) {
 
 TEST_F(ReadMesh, RefusesWhatIsNoMeshFile) {
   refuses(folder_ / "absent.stl", {"no such file"});
-  fs::create_directory(folder_ / "folder.obj");
+  std::filesystem::create_directory(folder_ / "folder.obj");
   refuses(folder_ / "folder.obj", {"directory"});
-  refuses(file("a.ply", "ply\n"), {"'.ply'", ".stl, .obj or .off"});
+  refuses(file("a.step", "ISO\n"), {"'.step'", ".stl, .3mf, .obj, .ply or .off"});
   refuses(file("plain", "OFF\n"), {"extension ''"});
-  for (const std::string name : {"e.stl", "e.obj", "e.off"}) refuses(file(name, ""), {"empty file"});
+  for (const std::string name : {"e.stl", "e.obj", "e.off", "e.ply", "e.3mf"})
+    refuses(file(name, ""), {"empty file"});
 }
 
 TEST_F(ReadMesh, NamesExpectedAndFoundLengthOfCutOffBinaryStl) {
@@ -173,6 +135,17 @@ TEST_F(ReadMesh, NamesExpectedAndFoundLengthOfCutOffBinaryStl) {
   refuses(file("b.stl", whole.substr(0, 60)), {"60", "84"});
   refuses(file("c.stl", binary_stl("solid cut", {one_facet}).substr(0, 100)), {"100", "134"});
   refuses(file("d.stl", whole + "x"), {"185", "184"});
+}
+
+TEST_F(ReadMesh, ShowsJunkInAMessageAsShortPrintableText) {
+  const std::string junk = std::string("\x01\0\xff", 3) + std::string(100, 'x');
+  refuses(file("a.off", "OFF\n3 1 0\n0 " + junk + " 0\n"), {"'???xxx", "...'", "vertex 1"});
+  refuses(file("a.ply", "ply\nformat " + junk + " 1.0\nend_header\n"), {"'???xxx", "...'", "ascii"});
+}
+
+TEST_F(ReadMesh, RefusesTextThatClaimsToBeStl) {
+  refuses(file("a.stl", "solid words\nThis is a letter, not a mesh.\n"), {"line 2", "'This'", "text STL"});
+  refuses(file("b.stl", "A letter, not a mesh.\n"), {"binary STL of 22 bytes", "84"});
 }
 
 TEST_F(ReadMesh, NamesWhereTextStlBreaks) {

@@ -8,21 +8,13 @@
 
 #include "body/test_meshes.hpp"
 #include "error.hpp"
+#include "problem/differences.hpp"
 
 namespace kreisel {
 namespace {
 
 Eigen::Matrix3d about_x(double degrees) {
   return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, Vec3::UnitX()).toRotationMatrix();
-}
-
-/// Moments as a body in body units has them: a few boxes, some of them holes, of total volume near one.
-Moments random_solid(Random& random) {
-  Moments s = Moments::Zero();
-  for (int part = 0; part < 3; ++part)
-    s += transformed(box_moments(random_vec(random, -0.2, 0.2), random_vec(random, 0.4, 0.9)),
-                     random_rotation(random), Vec3(0, 0, 0.6));
-  return s - box_moments({0.1, 0, 0.5}, {0.2, 0.3, 0.2});
 }
 
 /// The objective is a quotient of polynomials in s that varies over `scale`, the smallest of what it divides

@@ -1,7 +1,6 @@
 #include "record/record.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -12,6 +11,7 @@
 
 #include "error.hpp"
 #include "record/hdf5_file.hpp"
+#include "temporary_folder.hpp"
 
 namespace kreisel {
 namespace {
@@ -85,16 +85,8 @@ void expect_equal(const Seconds& got, const Seconds& want) {
 
 class Record : public ::testing::Test {
  protected:
-  Record() {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() /
-              ("kreisel_record_" + std::string(info->name()) + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  ~Record() override { fs::remove_all(folder_); }
-
   std::size_t files() const {
-    return std::size_t(std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}));
+    return std::size_t(std::distance(fs::directory_iterator(folder_.path), fs::directory_iterator{}));
   }
 
   /// What read_record() says of a file it refuses.
@@ -109,12 +101,12 @@ class Record : public ::testing::Test {
     return {};
   }
 
-  fs::path folder_;
+  const TemporaryFolder folder_;
 };
 
 TEST_F(Record, GivesBackWhatWasWritten) {
   const RunResult r = made_by_hand();
-  const fs::path path = folder_ / "new" / "folder" / "run.h5";
+  const fs::path path = folder_.path / "new" / "folder" / "run.h5";
   write_record(path, r);
   const RecordSummary s = read_record(path);
   EXPECT_EQ(s.path, path);
@@ -150,8 +142,8 @@ TEST_F(Record, KeepsTablesWithTheirShapes) {
   RunResult r = made_by_hand();
   r.outcome.x.assign(100'000, 0.0);  // several compressed chunks
   for (std::size_t i = 0; i < r.outcome.x.size(); ++i) r.outcome.x[i] = std::sin(double(i));
-  write_record(folder_ / "run.h5", r);
-  const auto file = hdf5::File::open(folder_ / "run.h5");
+  write_record(folder_.path / "run.h5", r);
+  const auto file = hdf5::File::open(folder_.path / "run.h5");
   EXPECT_EQ(file.group("solve").read("x").values, r.outcome.x);
   EXPECT_EQ(file.group("solve").read("history").shape, (hdf5::Shape{2, 7}));
   EXPECT_EQ(file.group("solve").read("samples").shape, (hdf5::Shape{3, 4}));
@@ -169,14 +161,14 @@ TEST_F(Record, IsTheSameFileForTheSameResult) {
     std::ifstream in(path, std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(in), {});
   };
-  write_record(folder_ / "a.h5", made_by_hand());
-  write_record(folder_ / "b.h5", made_by_hand());
-  EXPECT_EQ(bytes(folder_ / "a.h5"), bytes(folder_ / "b.h5"));
+  write_record(folder_.path / "a.h5", made_by_hand());
+  write_record(folder_.path / "b.h5", made_by_hand());
+  EXPECT_EQ(bytes(folder_.path / "a.h5"), bytes(folder_.path / "b.h5"));
 }
 
 TEST_F(Record, OfNothingButDefaultsIsReadBack) {
-  write_record(folder_ / "run.h5", RunResult{});
-  const RecordSummary s = read_record(folder_ / "run.h5");
+  write_record(folder_.path / "run.h5", RunResult{});
+  const RecordSummary s = read_record(folder_.path / "run.h5");
   EXPECT_EQ(s.termination, "failed");
   EXPECT_TRUE(s.samples.empty());
 }
@@ -185,19 +177,19 @@ TEST_F(Record, KeepsWhatIsNotANumber) {
   RunResult r = made_by_hand();
   r.outcome.objective = nan;
   r.rounding.objective = std::numeric_limits<double>::infinity();
-  write_record(folder_ / "run.h5", r);
-  const RecordSummary s = read_record(folder_ / "run.h5");
+  write_record(folder_.path / "run.h5", r);
+  const RecordSummary s = read_record(folder_.path / "run.h5");
   EXPECT_TRUE(std::isnan(s.objective));
   EXPECT_EQ(s.rounded_objective, std::numeric_limits<double>::infinity());
-  const auto file = hdf5::File::open(folder_ / "run.h5");
+  const auto file = hdf5::File::open(folder_.path / "run.h5");
   EXPECT_TRUE(std::isnan(file.group("verified").group("values").real("omega_min_rpm")));
 }
 
 TEST_F(Record, OfAFailedRunSaysWhy) {
   const RunResult r = made_by_hand();
   const std::string log(100'000, '!');  // more than an attribute of fixed length may hold
-  write_failure(folder_ / "run.h5", r.config, r.provenance, "no interior left" + log);
-  const RecordSummary s = read_record(folder_ / "run.h5");
+  write_failure(folder_.path / "run.h5", r.config, r.provenance, "no interior left" + log);
+  const RecordSummary s = read_record(folder_.path / "run.h5");
   EXPECT_EQ(s.error, "no interior left" + log);
   EXPECT_EQ(s.config, describe(r.config));
   EXPECT_EQ(s.formulation, "rayrep");
@@ -207,44 +199,44 @@ TEST_F(Record, OfAFailedRunSaysWhy) {
 
 TEST_F(Record, ReplacesAnEarlierOneAndLeavesNothingElse) {
   RunResult r = made_by_hand();
-  write_record(folder_ / "run.h5", r);
+  write_record(folder_.path / "run.h5", r);
   r.outcome.iterations = 77;
-  write_record(folder_ / "run.h5", r);
-  EXPECT_EQ(read_record(folder_ / "run.h5").iterations, 77);
+  write_record(folder_.path / "run.h5", r);
+  EXPECT_EQ(read_record(folder_.path / "run.h5").iterations, 77);
   EXPECT_EQ(files(), 1u);
 }
 
 TEST_F(Record, LeavesNothingBehindWhenItCannotBeWritten) {
-  std::ofstream(folder_ / "file") << "no folder";  // holds for root too, unlike permissions
-  EXPECT_THROW(write_record(folder_ / "file" / "run.h5", made_by_hand()), InputError);
-  EXPECT_THROW(write_text(folder_ / "file" / "run.json", "{}"), InputError);
-  fs::create_directories(folder_ / "run.h5" / "in_the_way");  // the name is taken by a folder
-  EXPECT_THROW(write_record(folder_ / "run.h5", made_by_hand()), InputError);
-  EXPECT_THROW(write_text(folder_ / "run.h5", "{}"), InputError);
+  std::ofstream(folder_.path / "file") << "no folder";  // holds for root too, unlike permissions
+  EXPECT_THROW(write_record(folder_.path / "file" / "run.h5", made_by_hand()), InputError);
+  EXPECT_THROW(write_text(folder_.path / "file" / "run.json", "{}"), InputError);
+  fs::create_directories(folder_.path / "run.h5" / "in_the_way");  // the name is taken by a folder
+  EXPECT_THROW(write_record(folder_.path / "run.h5", made_by_hand()), InputError);
+  EXPECT_THROW(write_text(folder_.path / "run.h5", "{}"), InputError);
   EXPECT_EQ(files(), 2u);
 }
 
 TEST_F(Record, RefusesWhatIsNoRecord) {
-  EXPECT_NE(refusal(folder_ / "absent.h5").find("expected an HDF5 file"), std::string::npos);
-  std::ofstream(folder_ / "text.h5") << "text";
-  EXPECT_NE(refusal(folder_ / "text.h5").find("expected an HDF5 file"), std::string::npos);
-  hdf5::File::create(folder_ / "other.h5").close();
-  EXPECT_NE(refusal(folder_ / "other.h5").find("not a record"), std::string::npos);
+  EXPECT_NE(refusal(folder_.path / "absent.h5").find("expected an HDF5 file"), std::string::npos);
+  std::ofstream(folder_.path / "text.h5") << "text";
+  EXPECT_NE(refusal(folder_.path / "text.h5").find("expected an HDF5 file"), std::string::npos);
+  hdf5::File::create(folder_.path / "other.h5").close();
+  EXPECT_NE(refusal(folder_.path / "other.h5").find("not a record"), std::string::npos);
 }
 
 TEST_F(Record, OfANewerSchemaIsRefused) {
   {
-    auto file = hdf5::File::create(folder_ / "newer.h5");
+    auto file = hdf5::File::create(folder_.path / "newer.h5");
     file.set("schema", "kreisel run");
     file.set("schema_version", record_schema_version + 1);
   }
-  EXPECT_NE(refusal(folder_ / "newer.h5").find("newer program"), std::string::npos);
+  EXPECT_NE(refusal(folder_.path / "newer.h5").find("newer program"), std::string::npos);
 }
 
 TEST_F(Record, CutShortIsRefused) {
-  write_record(folder_ / "run.h5", made_by_hand());
-  fs::resize_file(folder_ / "run.h5", fs::file_size(folder_ / "run.h5") / 2);
-  (void)refusal(folder_ / "run.h5");
+  write_record(folder_.path / "run.h5", made_by_hand());
+  fs::resize_file(folder_.path / "run.h5", fs::file_size(folder_.path / "run.h5") / 2);
+  (void)refusal(folder_.path / "run.h5");
 }
 
 TEST(RecordJson, HasTheDocumentedNames) {
@@ -304,9 +296,9 @@ TEST_F(Record, IsReadByH5py) {
   if (std::system((python + " -c 'import h5py' 2>/dev/null").c_str()) != 0)
     GTEST_SKIP() << python << " cannot import h5py";
   const char* kept = std::getenv("KREISEL_TEST_RECORD");
-  const fs::path path = kept != nullptr && *kept != '\0' ? fs::path(kept) : folder_ / "run.h5";
+  const fs::path path = kept != nullptr && *kept != '\0' ? fs::path(kept) : folder_.path / "run.h5";
   write_record(path, made_by_hand());
-  const fs::path script = fs::absolute(__FILE__).parent_path() / "h5py_test.py";
+  const fs::path script = fs::path(KREISEL_SOURCE) / "tests/record/h5py_test.py";
   const std::string command = python + " '" + script.string() + "' '" + path.string() + "'";
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <functional>
+#include <limits>
 #include <ostream>
 #include <string>
 
@@ -89,35 +90,75 @@ class Dense {
 
 enum class Form { direct, full, convex };
 
+/// Finite bounds of Margin, below.
+constexpr int margin_rows = 6;
+
+/// Spin with equations alone, or for its margin inequalities, equations and bounds on one side.
+enum class Asked { spin, margin };
+
 struct Kind {
   Form form;
   std::string formulation;
   FormulationSettings settings;
+  Asked asked = Asked::spin;
+  Filling filling = Filling::segment;
 };
 
 std::string name_of(const Kind& kind) {
   std::string name = kind.form == Form::direct ? "direct_" : kind.form == Form::full ? "full_" : "convex_";
   name += kind.formulation;
   for (const auto& [key, value] : kind.settings) name += "_" + value;
-  return name;
+  if (kind.filling == Filling::from_below) name += "_from_below";
+  return name + (kind.asked == Asked::margin ? "_margin" : "");
 }
 
 std::ostream& operator<<(std::ostream& out, const Kind& kind) { return out << name_of(kind); }
 
+/// Four rows of every kind, on moments of every order: an equation, a range, one bound above, one below.
+class Margin final : public Problem {
+ public:
+  Margin() {
+    constraints_.matrix.setZero(4, 10);
+    constraints_.matrix.row(0) << -0.2, 1, 0, 0, 0, 0, 0, 0, 0, 0;
+    constraints_.matrix.row(1) << 0.1, 0, 0, 0.5, 1, 0, 0, 0, 0, 0;
+    constraints_.matrix.row(2) << 0, 0.3, -1, 0, 0, 0, 0, 0, 0, 2;
+    constraints_.matrix.row(3) << 1, 0, 0, 0, 0, 0, 1, 0, -1, 0;
+    constraints_.lower = Eigen::Vector4d(0.1, -0.2, -infinity, 0.4);
+    constraints_.upper = Eigen::Vector4d(0.1, 0.3, 0.7, infinity);
+    constraints_.names = {"equation", "range", "above", "below"};
+  }
+  [[nodiscard]] std::string_view name() const override { return "margin"; }
+  [[nodiscard]] Convexity convexity() const override { return Convexity::linear; }
+  [[nodiscard]] Goal goal() const override { return Goal::margin; }
+  [[nodiscard]] double value(const Moments&) const override { return 7; }
+  [[nodiscard]] Moments gradient(const Moments&) const override { return Moments::Constant(7); }
+  [[nodiscard]] Matrix10 hessian(const Moments&) const override { return Matrix10::Constant(7); }
+  [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
+  [[nodiscard]] Verdict verify(const Moments&, double) const override { return {}; }
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  LinearConstraints constraints_;
+};
+
 class NlpOf : public testing::TestWithParam<Kind> {
  protected:
   NlpOf()
-      : formulation_(make_formulation(GetParam().formulation, BoxDomain::columns(), {}, GetParam().settings,
-                                      test_device())),
+      : formulation_(make_formulation(GetParam().formulation, BoxDomain::columns(), {GetParam().filling},
+                                      GetParam().settings, test_device())),
         nlp_(make(GetParam().form)) {}
 
   [[nodiscard]] Dense make(Form form) {
-    const Task task{spin_, *formulation_, mass_, test_device()};
+    const Task task{asked(), *formulation_, mass_, test_device()};
     std::vector<double> start = formulation_->start(Start::middle);
     return Dense(form == Form::direct ? make_direct_nlp(task, std::move(start))
                                       : make_lifted_nlp(task, std::move(start), form == Form::convex));
   }
 
+  [[nodiscard]] const Problem& asked() const {
+    return margin() ? static_cast<const Problem&>(margin_) : spin_;
+  }
+  [[nodiscard]] bool margin() const { return GetParam().asked == Asked::margin; }
   [[nodiscard]] bool lifted() const { return GetParam().form != Form::direct; }
   [[nodiscard]] int variables() const { return static_cast<int>(formulation_->num_variables()); }
 
@@ -126,9 +167,10 @@ class NlpOf : public testing::TestWithParam<Kind> {
     const int n = variables();
     VectorXd x(nlp_.n());
     for (int i = 0; i < n; ++i) x[i] = uniform(random, nlp_.x_l[i], nlp_.x_u[i]);
-    if (formulation_->name() == "rayrep")
+    if (formulation_->name() == "rayrep" && GetParam().filling != Filling::from_below)
       for (int i = 0; i < n; i += 2)
         if (x[i] > x[i + 1]) std::swap(x[i], x[i + 1]);
+    if (margin()) x[nlp_.n() - 1] = uniform(random, -1, 1);
     if (lifted()) {
       const Moments s = mass_.total(formulation_->moments({x.data(), formulation_->num_variables()}));
       for (int k = 0; k < 10; ++k) x[n + k] = s[k] + uniform(random, -0.01, 0.01);
@@ -163,6 +205,7 @@ class NlpOf : public testing::TestWithParam<Kind> {
   }
 
   const Spin spin_{{.lambda = 0.3, .gamma_i = 1}};
+  const Margin margin_;
   MassModel mass_{box_moments({0.02, -0.01, 0.6}, {1.5, 1.2, 0.75}), 0.8};
   std::unique_ptr<Formulation> formulation_;
   Dense nlp_;
@@ -180,8 +223,9 @@ TEST_P(NlpOf, GradientMatchesCentralDifferences) {
   const VectorXd x = random_point(random);
   const MatrixXd want = differences(x, [&](const VectorXd& at) { return VectorXd::Constant(1, nlp_.f(at)); });
   const VectorXd got = nlp_.gradient(x);
-  EXPECT_GT(got.cwiseAbs().maxCoeff(), 100 * tolerance(nlp_.f(x))) << "a gradient too small to test";
-  expect_same(got.transpose(), want, tolerance(nlp_.f(x)));
+  EXPECT_GT(got.cwiseAbs().maxCoeff(), 100 * tolerance(std::abs(nlp_.f(x))))
+      << "a gradient too small to test";
+  expect_same(got.transpose(), want, tolerance(std::abs(nlp_.f(x))));
 }
 
 TEST_P(NlpOf, JacobianMatchesCentralDifferences) {
@@ -201,6 +245,7 @@ TEST_P(NlpOf, HessianMatchesCentralDifferencesOfTheLagrangiansGradient) {
   const double factor = 0.7;
   VectorXd lambda(nlp_.m());
   for (int i = 0; i < lambda.size(); ++i) lambda[i] = uniform(random, -1, 1);
+  lambda[SZZ] = -1;  // curves upper ends down, so that there is something to raise
   const Dense full = make(Form::full);
   MatrixXd want = differences(x, [&](const VectorXd& at) -> VectorXd {
     return factor * full.gradient(at) + full.jacobian(at).transpose() * lambda;
@@ -229,16 +274,45 @@ TEST_P(NlpOf, HessianMatchesCentralDifferencesOfTheLagrangiansGradient) {
 TEST_P(NlpOf, StartsWhereAskedAndLiftedMomentsBeginConsistent) {
   const auto start = formulation_->start(Start::middle);
   for (int i = 0; i < variables(); ++i) EXPECT_EQ(nlp_.start[i], start[static_cast<std::size_t>(i)]);
-  ASSERT_EQ(nlp_.n(), variables() + (lifted() ? 10 : 0));
-  if (!lifted()) return;
+  ASSERT_EQ(nlp_.n(), variables() + (lifted() ? 10 : 0) + (margin() ? 1 : 0));
   const VectorXd g = nlp_.g(nlp_.start);
+  if (margin()) {
+    // t is as small as the start allows: every row is met, one of them just so.
+    const VectorXd slack = (nlp_.g_u - g).cwiseMin(g - nlp_.g_l).segment(lifted() ? 10 : 0, margin_rows);
+    EXPECT_NEAR(slack.minCoeff(), 0, 16 * 0x1p-53) << "t moved across three terms of order one";
+    EXPECT_LE(nlp_.x_l[nlp_.n() - 1], -1e19);
+    EXPECT_GE(nlp_.x_u[nlp_.n() - 1], 1e19);
+    EXPECT_EQ(nlp_.f(nlp_.start), nlp_.start[nlp_.n() - 1]) << "t is the objective";
+  }
+  if (!lifted()) return;
   EXPECT_EQ(g.head(10).cwiseAbs().maxCoeff(), 0) << "s = s(x) at the start";
   EXPECT_EQ(nlp_.g_l.head(10).cwiseAbs().maxCoeff() + nlp_.g_u.head(10).cwiseAbs().maxCoeff(), 0);
-  EXPECT_LE(nlp_.x_l.tail(10).maxCoeff(), -1e19) << "Ipopt's infinity";
-  EXPECT_GE(nlp_.x_u.tail(10).minCoeff(), 1e19);
+  EXPECT_LE(nlp_.x_l.segment(variables(), 10).maxCoeff(), -1e19) << "Ipopt's infinity";
+  EXPECT_GE(nlp_.x_u.segment(variables(), 10).minCoeff(), 1e19);
+}
+
+TEST_P(NlpOf, ARowForEveryFiniteBoundHoldsWhenTheMarginDoes) {
+  if (!margin()) GTEST_SKIP() << "no margin";
+  Random random(65);
+  VectorXd x = random_point(random);
+  const int skip = lifted() ? 10 : 0;
+  ASSERT_EQ(nlp_.m(), skip + margin_rows + static_cast<int>(formulation_->own_constraints().lower.size()));
+  const Moments s = lifted() ? Moments(x.segment(variables(), 10))
+                             : mass_.total(formulation_->moments({x.data(), formulation_->num_variables()}));
+  const LinearConstraints& c = margin_.constraints();
+  const VectorXd value = c.matrix * s;
+  const double least = std::max((c.lower - value).maxCoeff(), (value - c.upper).maxCoeff());
+  for (const double t : {least - 1e-9, least + 1e-9}) {
+    x[nlp_.n() - 1] = t;
+    const VectorXd g = nlp_.g(x).segment(skip, margin_rows);
+    const bool met = ((g - nlp_.g_l.segment(skip, margin_rows)).array() >= 0).all() &&
+                     ((nlp_.g_u.segment(skip, margin_rows) - g).array() >= 0).all();
+    EXPECT_EQ(met, t > least) << "lower - t <= C s <= upper + t";
+  }
 }
 
 TEST_P(NlpOf, ConstraintRowsAreTheProblemsAndTheFormulations) {
+  if (margin()) GTEST_SKIP() << "its rows are tested above";
   Random random(64);
   const VectorXd x = random_point(random);
   const VectorXd g = nlp_.g(x);
@@ -266,6 +340,11 @@ std::vector<Kind> kinds() {
     all.push_back({form, "voxel", {}});
     all.push_back({form, "rayrep", {{"bounds", "midpoint"}}});
     all.push_back({form, "rayrep", {{"bounds", "ordered"}, {"unit", "body"}}});
+    all.push_back({form, "rayrep", {}, Asked::spin, Filling::from_below});
+    for (const Filling filling : {Filling::segment, Filling::from_below})
+      all.push_back({form, "rayrep", {}, Asked::margin, filling});
+    all.push_back({form, "rayrep", {{"bounds", "ordered"}}, Asked::margin});
+    all.push_back({form, "voxel", {}, Asked::margin});
   }
   return all;
 }

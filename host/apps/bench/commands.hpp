@@ -27,6 +27,20 @@ struct ExperimentOptions {
 };
 int run_experiment(const ExperimentOptions& options);
 
+struct InspectOptions {
+  RunConfig config;       ///< its body and device
+  std::string json_file;  ///< empty: not written; "-" is standard output
+};
+/// Everything about a mesh: checks, repairs, shells; as a solid its mass properties and what it does already.
+/// @throws InputError  after all that can be said was printed: why the mesh is no solid
+int inspect_model(const InspectOptions& options);
+struct ReportOptions {
+  std::vector<std::string> experiments;  ///< as ExperimentOptions::name; empty: all that have records
+  std::string results = "results/runs", output = "report.html";
+};
+/// Tables and figures of experiments that have been run, as one HTML page.
+int report(const ReportOptions& options);
+
 /// Prints records, or the table of an experiment whose runs they are.
 int show(const std::vector<std::string>& paths);
 

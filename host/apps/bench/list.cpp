@@ -4,6 +4,7 @@
 
 #include "apps/bench/commands.hpp"
 #include "body/models.hpp"
+#include "body/models/debian_meshes.hpp"
 #include "experiment/experiment.hpp"
 #include "formulation/formulation.hpp"
 #include "problem/problem.hpp"
@@ -11,6 +12,15 @@
 
 namespace kreisel::bench {
 namespace {
+
+void print_models() {
+  fmt::print("models (--model NAME, or a mesh file; --size MM scales)\n");
+  for (const Model& m : models()) fmt::print("  {:<12} {}\n", m.name, m.summary);
+  fmt::print(
+      "real meshes (--model NAME), longest side {:g} mm, {}\n", DebianMesh::size,
+      debian_meshes_installed() ? "installed" : "not installed: apt install libcgal-demo provides them");
+  for (const DebianMesh& m : debian_meshes()) fmt::print("  {:<12} {}\n", m.name, m.summary);
+}
 
 void print_experiments() {
   fmt::print("experiments (bench run NAME)\n");
@@ -20,8 +30,7 @@ void print_experiments() {
 }  // namespace
 
 int list() {
-  fmt::print("models (--model NAME, or a mesh file)\n");
-  for (const Model& m : models()) fmt::print("  {:<12} {}\n", m.name, m.summary);
+  print_models();
   fmt::print("problems (--problem)\n");
   for (const ProblemEntry& p : problems()) fmt::print("  {:<12} {}\n", p.name, p.summary);
   fmt::print("formulations (--formulation)\n");

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <tuple>
 
 #include "apps/bench/commands.hpp"
 #include "device/device.hpp"
 #include "error.hpp"
+#include "nearest.hpp"
 #include "run/build_info.hpp"
 #include "solve/interrupt.hpp"
 
@@ -16,7 +18,7 @@ using namespace kreisel::bench;
 
 /// Fields of a run that have an option of their own: name, help.
 constexpr std::pair<const char*, const char*> fields[] = {
-    {"model", "a name of `bench list`, or a mesh file (STL, OBJ, OFF); default ellipsoid"},
+    {"model", "a name of `bench list`, or a mesh file (STL, 3MF, OBJ, PLY, OFF); default ellipsoid"},
     {"problem", "what is asked; default spin"},
     {"formulation", "how the interior is described; default rayrep"},
     {"solver", "default ipopt"},
@@ -27,6 +29,7 @@ constexpr std::pair<const char*, const char*> fields[] = {
     {"up", "up direction x,y,z; default the model's, else 0,0,1"},
     {"size", "longest side in mm; default as the model is"},
     {"density", "g/cm^3; default 1"},
+    {"void-density", "of what fills the voids, g/cm^3; default 0"},
     {"fineness", "of a parametric model: about 20 n^2 triangles"},
     {"device", "index or part of a name; default KREISEL_DEVICE, else a GPU, else PoCL"},
     {"precision", "automatic or single (compensated)"},
@@ -34,30 +37,54 @@ constexpr std::pair<const char*, const char*> fields[] = {
     {"budget", "seconds after which no further repetition starts; default 20"},
 };
 
+/// Settings of problems with an option of their own: option, setting, help.
+constexpr std::tuple<const char*, const char*, const char*> problem_settings[] = {
+    {"target", "problem.target", "stand: centre, inside or max-tilt; default centre"},
+    {"draft", "problem.draft", "float: 60% of the height, mm, grams (40g) or solid; default 60%"},
+    {"fluid-density", "problem.fluid_density", "float: g/cm^3; default 1"},
+    {"point", "problem.point", "balance: where the centre of mass is to be, x,y,z in mm"},
+    {"line", "problem.line", "balance: direction of a line through that point"},
+};
+
 struct Parsed {
   OnceOptions once;
   ExperimentOptions experiment;
+  ReportOptions report;
   std::vector<std::pair<std::string, std::string>> given;  ///< field, text
   std::vector<std::string> settings, paths;
   std::string only_device;
   bool no_measure = false;
 };
 
+void add_field(CLI::App& app, Parsed& parsed, const std::string& option, const std::string& name,
+               const char* help) {
+  app.add_option_function<std::string>(
+      option, [&parsed, name](const std::string& text) { parsed.given.emplace_back(name, text); }, help);
+}
+
 void add_run_options(CLI::App& app, Parsed& parsed) {
-  for (const auto& [name, help] : fields)
-    app.add_option_function<std::string>(
-        fmt::format("--{}", name),
-        [&parsed, field = std::string(name)](const std::string& text) {
-          parsed.given.emplace_back(field, text);
-        },
-        help);
+  for (const auto& [name, help] : fields) add_field(app, parsed, fmt::format("--{}", name), name, help);
+  for (const auto& [name, setting, help] : problem_settings)
+    add_field(app, parsed, fmt::format("--{}", name), setting, help);
   app.add_option("--set", parsed.settings,
                  "GROUP.NAME=VALUE; groups: ipopt (any of its options), problem, formulation, solver")
       ->allow_extra_args(false)
       ->type_name("GROUP.NAME=VALUE");
   app.add_option("--json", parsed.once.json_file, "write the result as JSON; - for standard output");
-  app.add_option("--mesh", parsed.once.mesh_file, "write the hollowed part as STL, mm");
+  app.add_option("--mesh", parsed.once.mesh_file,
+                 "write the hollowed part, mm; .stl, .3mf, .obj, .ply or .off");
   app.add_option("--record", parsed.once.record_file, "write the whole run as HDF5");
+}
+
+void add_inspect_options(CLI::App& app, Parsed& parsed) {
+  for (const auto& [name, help] : fields) {
+    const std::string_view field = name;
+    if (field == "model") add_field(app, parsed, "model", name, help);
+    for (const char* used : {"axis", "contact", "up", "size", "density", "fineness", "device"})
+      if (field == used) add_field(app, parsed, fmt::format("--{}", name), name, help);
+  }
+  app.get_option("model")->required();
+  app.add_option("--json", parsed.once.json_file, "write it all as JSON; - for standard output");
 }
 
 void apply(Parsed& parsed) {
@@ -69,6 +96,21 @@ void apply(Parsed& parsed) {
       throw InputError(fmt::format("--set {}; expected GROUP.NAME=VALUE", setting));
     set_field(parsed.once.config, setting.substr(0, equals), setting.substr(equals + 1));
   }
+}
+
+/// CLI11's message, and for an unknown option the one that was probably meant.
+std::string explained(const CLI::App& app, const CLI::ParseError& error) {
+  std::string meant;
+  if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
+    const CLI::App* used = app.get_subcommands().empty() ? &app : app.get_subcommands().front();
+    std::vector<std::string> names;
+    for (const CLI::Option* option : used->get_options()) names.push_back(option->get_name());
+    for (const CLI::App* sub : app.get_subcommands(nullptr)) names.push_back(sub->get_name());
+    const std::vector<std::string> extras = used == &app ? app.remaining(true) : used->remaining(true);
+    if (!extras.empty()) meant = kreisel::nearest(extras.front(), names);
+  }
+  return fmt::format("{}{} (bench --help lists the options)", error.what(),
+                     meant.empty() ? "" : fmt::format("; did you mean {}?", meant));
 }
 
 int dispatch(int argc, char** argv) {
@@ -89,6 +131,14 @@ int dispatch(int argc, char** argv) {
   experiment->add_option("--device", parsed.experiment.device, "as above, for every run");
   experiment->add_flag("--force", parsed.experiment.force, "run finished runs again");
   experiment->add_flag("--dry-run", parsed.experiment.dry_run, "say what would run");
+  CLI::App* inspected = app.add_subcommand(
+      "inspect", "check a mesh: faults, repairs, shells, mass properties, and what it does as a solid");
+  add_inspect_options(*inspected, parsed);
+  CLI::App* reported =
+      app.add_subcommand("report", "tables and figures of experiments that have been run, as one HTML page");
+  reported->add_option("experiments", parsed.report.experiments, "default: all that have records");
+  reported->add_option("--results", parsed.report.results, "folder of the records")->capture_default_str();
+  reported->add_option("-o,--output", parsed.report.output, "the page")->capture_default_str();
   CLI::App* shown = app.add_subcommand("show", "print records");
   shown->add_option("records", parsed.paths, "HDF5 files, or folders of them")->required();
   CLI::App* listed =
@@ -101,9 +151,14 @@ int dispatch(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    throw InputError(fmt::format("{} (bench --help lists the options)", error.what()));
+    throw InputError(explained(app, error));
   }
   if (*experiment) return run_experiment(parsed.experiment);
+  if (*inspected) {
+    apply(parsed);
+    return inspect_model({parsed.once.config, parsed.once.json_file});
+  }
+  if (*reported) return report(parsed.report);
   if (*shown) return show(parsed.paths);
   if (*listed) return list();
   if (*probed) return devices(!parsed.no_measure, parsed.only_device);

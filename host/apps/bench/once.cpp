@@ -6,6 +6,7 @@
 
 #include "apps/bench/commands.hpp"
 #include "error.hpp"
+#include "mesh/format.hpp"
 #include "record/record.hpp"
 #include "run/pipeline.hpp"
 
@@ -24,6 +25,7 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
       "{:.2f},{:.2f},{:.2f}\n",
       size[0], size[1], size[2], r.solid_mass_grams, r.axis[0], r.axis[1], r.axis[2], r.contact[0],
       r.contact[1], r.contact[2]);
+  for (const std::string& line : r.repairs) fmt::print("  repaired   {}\n", line);
   fmt::print("  domain     columns {} x {} x {} of {:.4g} mm, wall {} = {:.4g} mm: {} rays, {} voxels\n",
              r.grid.n[0], r.grid.n[1], r.grid.n[2], r.grid.h * r.length_mm, to_string(r.config.wall),
              r.wall * r.length_mm, r.rays, r.interior_voxels);
@@ -79,6 +81,7 @@ void require_folder(const std::string& file, const char* option) {
 int run_once(const OnceOptions& options) {
   require_folder(options.json_file, "--json");
   require_folder(options.mesh_file, "--mesh");
+  if (!options.mesh_file.empty()) (void)mesh_format(options.mesh_file);
   require_folder(options.record_file, "--record");
   const bool terminal = isatty(STDERR_FILENO) != 0;
   const auto progress = [terminal](const std::string& step) {

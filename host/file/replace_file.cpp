@@ -1,4 +1,4 @@
-#include "record/replace_file.hpp"
+#include "file/replace_file.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

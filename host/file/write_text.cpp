@@ -1,10 +1,11 @@
+#include "file/write_text.hpp"
+
 #include <fmt/format.h>
 
 #include <fstream>
 
 #include "error.hpp"
-#include "record/record.hpp"
-#include "record/replace_file.hpp"
+#include "file/replace_file.hpp"
 
 namespace kreisel {
 

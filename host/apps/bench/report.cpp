@@ -1,0 +1,129 @@
+// report.cpp - `bench report`: tables here, figures and the page by plots/report.py.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "apps/bench/commands.hpp"
+#include "error.hpp"
+#include "experiment/data_folder.hpp"
+#include "experiment/table.hpp"
+#include "record/record.hpp"
+#include "run/build_info.hpp"
+
+extern char** environ;
+
+namespace kreisel::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+json to_json(const Tables& tables) {
+  json columns = json::array(), blocks = json::array();
+  for (const Block& block : tables.blocks) {
+    const auto& all = block.sheet.columns();
+    json rows = json::array();
+    for (const auto& row : block.sheet.rows()) {
+      json& cells = rows.emplace_back(json::array());
+      for (std::size_t c = 0; c < all.size(); ++c)
+        if (!all[c].heading.empty()) cells.push_back(row[c].text);
+    }
+    if (columns.empty())
+      for (const auto& column : all)
+        if (!column.heading.empty())
+          columns.push_back({{"group", column.group}, {"heading", column.heading}, {"left", column.left}});
+    blocks.push_back({{"heading", block.heading}, {"rows", rows}, {"notes", block.notes}});
+  }
+  return {{"columns", columns}, {"blocks", blocks}, {"legend", tables.legend}, {"csv", to_csv(tables)}};
+}
+
+/// What the page says of an experiment; null where none of its runs is on record.
+json section_of(const Experiment& experiment, const fs::path& results) {
+  const std::vector<RecordedRun> runs = collect(experiment, results);
+  json records = json::array();
+  std::size_t missing = 0;
+  for (const RecordedRun& run : runs) {
+    if (!run.record)
+      ++missing;
+    else if (const std::string path = run.record->path.string();
+             std::ranges::find(records, json(path)) == records.end())
+      records.push_back(path);
+  }
+  if (records.empty()) return nullptr;
+  json section = to_json(tables_of(experiment, runs));
+  section["name"] = experiment.name;
+  section["title"] = experiment.title;
+  section["about"] = experiment.about;
+  section["figures"] = experiment.figures;
+  section["published"] =
+      experiment.published.empty() ? json(nullptr) : json(published_file(experiment.published).string());
+  section["records"] = records;
+  section["runs"] = runs.size();
+  section["missing"] = missing;
+  return section;
+}
+
+/// A file that is gone when the program is.
+struct TemporaryFile {
+  fs::path path = fs::temp_directory_path() / fmt::format("kreisel-report-{}.json", ::getpid());
+  ~TemporaryFile() {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+  }
+};
+
+/// Debian's Python has h5py and matplotlib; another one on the PATH may not.
+std::string python() {
+  if (const char* given = std::getenv("KREISEL_PYTHON"); given && *given) return given;
+  std::error_code ignored;
+  return fs::exists("/usr/bin/python3", ignored) ? "/usr/bin/python3" : "python3";
+}
+
+/// @return  exit status of the script
+int call(const fs::path& script, const fs::path& tables, const std::string& output) {
+  std::array<std::string, 5> words = {python(), script.string(), tables.string(), "-o", output};
+  std::array<char*, 6> arguments{};
+  for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, words[0].c_str(), nullptr, nullptr, arguments.data(), environ);
+  if (error != 0)
+    throw InputError(fmt::format("{}: {}, expected Python 3 with h5py and matplotlib (setup.sh installs it)",
+                                 words[0], std::strerror(error)));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : was_interrupted;
+}
+
+}  // namespace
+
+int report(const ReportOptions& options) {
+  const fs::path script = data_folder() / "plots" / "report.py";
+  if (!fs::is_regular_file(script))
+    throw InputError(fmt::format("{}: no such file, expected the script that draws", script.string()));
+  std::vector<std::string> names = options.experiments;
+  if (names.empty()) names = experiment_names();
+  json page = {{"version", build_info::version}, {"commit", build_info::commit}, {"sections", json::array()}};
+  for (const std::string& name : names) {
+    json section = section_of(read_experiment(find_experiment(name)), options.results);
+    if (!section.is_null()) page["sections"].push_back(std::move(section));
+  }
+  if (page["sections"].empty())
+    throw InputError(fmt::format("{}: no records of {}, expected those that `bench run` writes",
+                                 options.results, fmt::join(names, ", ")));
+  const TemporaryFile tables;
+  write_text(tables.path, page.dump(-1, ' ', false, json::error_handler_t::replace));
+  return call(script, tables.path, options.output);
+}
+
+}  // namespace kreisel::bench

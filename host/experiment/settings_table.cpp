@@ -1,0 +1,145 @@
+#include "experiment/settings_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "experiment/run_text.hpp"
+#include "experiment/table_parts.hpp"
+
+namespace kreisel {
+namespace {
+
+using Fields = std::map<std::string, std::string>;
+
+struct Group {
+  std::string name;
+  std::vector<const RecordedRun*> runs;
+};
+
+/// What a block has in its name; the rest of a configuration is settings.
+Fields settings_of(const RecordedRun& run) {
+  Fields fields = describe(run.run.config);
+  for (const char* key : {"model", "resolution", "problem", "formulation"}) fields.erase(key);
+  return fields;
+}
+
+std::vector<Group> groups_of(const std::vector<RecordedRun>& runs) {
+  std::vector<Group> groups;
+  for (const RecordedRun& run : runs) {
+    const RunConfig& config = run.run.config;
+    const std::string name = fmt::format("{} {}, {}, {}", model_text(config), grid_text(config.grid),
+                                         config.problem, config.formulation);
+    find_or_add(
+        groups, [&](const Group& g) { return g.name == name; },
+        [&] {
+          return Group{name, {}};
+        })
+        .runs.push_back(&run);
+  }
+  return groups;
+}
+
+/// The fields that have the same value in every run.
+Fields common_fields(const Group& group) {
+  Fields common = settings_of(*group.runs.front());
+  for (const RecordedRun* run : group.runs) {
+    const Fields fields = settings_of(*run);
+    std::erase_if(common, [&](const auto& field) {
+      const auto at = fields.find(field.first);
+      return at == fields.end() || at->second != field.second;
+    });
+  }
+  return common;
+}
+
+/// "NAME=VALUE, ..." of those not in `common`. @param whole  names with their groups
+std::string text_of(const Fields& fields, const Fields& common, bool whole) {
+  std::vector<std::string> parts;
+  for (const auto& [name, value] : fields) {
+    if (common.contains(name)) continue;
+    const std::size_t dot = name.find('.');
+    parts.push_back(
+        fmt::format("{}={}", whole || dot == std::string::npos ? name : name.substr(dot + 1), value));
+  }
+  return parts.empty() ? "defaults" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// The lowest objective among the converged.
+std::optional<double> best_of(const Group& group) {
+  std::optional<double> best;
+  for (const RecordedRun* run : group.runs)
+    if (is_converged(*run)) best = std::min(best.value_or(run->record->objective), run->record->objective);
+  return best;
+}
+
+Sheet empty_sheet(bool labels) {
+  return Sheet({{"model", "", ""},
+                {"grid", "", ""},
+                {"problem", "", ""},
+                {"formulation", "", ""},
+                {"label", "", labels ? "factor" : "", true},
+                {"setting", "", "setting", true},
+                {"termination", "", "termination", true},
+                {"iterations", "", "iter"},
+                {"seconds", "", "seconds"},
+                {"seconds_half_iqr", "", ""},
+                {"samples", "", ""},
+                {"seconds_over_first", "", "time x"},
+                {"variables", "", "variables"},
+                {"objective", "", "f"},
+                {"objective_above_best_percent", "", "above best, %"},
+                {"violation", "", "violation"},
+                {"verified", "", "verified", true}});
+}
+
+void add_row(Block& block, const Group& group, const RecordedRun& run, const Fields& common) {
+  const SolveCells solve(run);
+  const RunConfig& config = run.run.config;
+  const RecordedRun& first = *group.runs.front();
+  std::optional<double> time, above;
+  if (is_converged(run)) {
+    if (is_converged(first) && first.record->median.solve > 0)
+      time = run.record->median.solve / first.record->median.solve;
+    if (const auto best = best_of(group); *best != 0)
+      above = (run.record->objective - *best) / std::abs(*best) * 100;
+  }
+  const Fields fields = settings_of(run);
+  const std::string setting = text_of(fields, common, false);
+  const bool same_as_before =
+      !block.sheet.rows().empty() && block.sheet.rows().back()[4].data == run.run.label;
+  block.sheet.add({model_text(config), grid_text(run), config.problem, config.formulation,
+                   Cell(same_as_before ? "" : run.run.label, run.run.label),
+                   Cell(setting, text_of(fields, common, true)), termination_text(run), solve.iterations,
+                   solve.seconds, solve.half_iqr, solve.samples, Cell::of(time, "{:.2f}"), solve.variables,
+                   solve.objective, Cell::of(above, "{:.3f}"), solve.violation, solve.verified});
+  block.notes += note_of(run, true, setting);
+}
+
+}  // namespace
+
+Tables settings_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>&) {
+  const bool labels = std::ranges::any_of(runs, [](const auto& run) { return !run.run.label.empty(); });
+  Tables tables;
+  for (const Group& group : groups_of(runs)) {
+    const Fields common = common_fields(group);
+    Block block{
+        fmt::format("{}; in all: {}", group.name, text_of(common, {}, true)), empty_sheet(labels), {}};
+    for (const RecordedRun* run : group.runs) add_row(block, group, *run, common);
+    tables.blocks.push_back(std::move(block));
+  }
+  tables.legend =
+      "seconds: median ± half the interquartile range of the solve, set-up excluded; time x: relative to the "
+      "first row;\n"
+      "f: objective; above best: relative to the lowest of the block; violation: the largest of the "
+      "constraints, body units;\n"
+      "times and distances are those of converged solves\n" +
+      provenance_text(runs) + '\n';
+  return tables;
+}
+
+}  // namespace kreisel

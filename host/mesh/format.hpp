@@ -1,0 +1,27 @@
+// format.hpp - the mesh formats, by the extension of a file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/mesh_text.hpp"
+
+namespace kreisel {
+
+/// Everything that is known of a format: a new one is one more entry in format.cpp.
+struct MeshFormat {
+  std::string_view extension;  ///< lower case, with the dot
+  std::string_view name;
+  TriangleMesh (*read)(const MeshFile& file);
+  /// The bytes of a file of that name with all parts. @throws InputError  something the format cannot hold
+  std::string (*encode)(const std::vector<TriangleMesh>& parts, const std::string& name);
+};
+
+[[nodiscard]] const std::vector<MeshFormat>& mesh_formats();
+
+/// The format of the extension, in any case. @throws InputError  unknown; names those there are
+[[nodiscard]] const MeshFormat& mesh_format(const std::filesystem::path& path);
+
+}  // namespace kreisel

@@ -1,0 +1,34 @@
+// repair.hpp - mends what can be mended without guessing, and says so.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace kreisel {
+
+/// What was done, one line each ("merged 12 equal vertices"); empty when nothing was.
+struct RepairReport {
+  std::vector<std::string> lines;
+};
+
+/// The same solid with safe repairs, in this order:
+/// - vertices with exactly equal coordinates become one, unless a closed surface would get edges of more than
+///   two triangles by it;
+/// - where an edge has four or more triangles that bound separate wedges of material, each wedge gets
+/// vertices
+///   of its own;
+/// - triangles that use a vertex twice go, and triangles without area and repeated ones where no hole is
+/// left;
+/// - unused vertices go;
+/// - in each shell, the fewest triangles turn so that all run the same way round; a shell for which there is
+/// no
+///   such way (a Klein bottle) is left;
+/// - where a triangle without area bridges a T-junction, it and its neighbour become two with area;
+/// - outermost shells face outward, by turning each together with all it encloses.
+/// No coordinate changes and no hole is filled: the result may still be no solid (require_solid(),
+/// solid.hpp).
+[[nodiscard]] TriangleMesh repaired(TriangleMesh mesh, RepairReport& report);
+
+}  // namespace kreisel

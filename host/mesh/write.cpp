@@ -1,0 +1,12 @@
+#include "mesh/write.hpp"
+
+#include "file/write_text.hpp"
+#include "mesh/format.hpp"
+
+namespace kreisel {
+
+void write_mesh(const std::filesystem::path& path, const std::vector<TriangleMesh>& parts) {
+  write_text(path, mesh_format(path).encode(parts, path.string()));
+}
+
+}  // namespace kreisel

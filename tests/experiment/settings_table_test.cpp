@@ -1,0 +1,72 @@
+#include "experiment/settings_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include "experiment/recorded_runs.hpp"
+
+namespace kreisel {
+namespace {
+
+RecordedRun run_with(const std::string& start, double seconds, double objective) {
+  RecordedRun run = optimal_run({{"ipopt.max_iter", "300"}});
+  if (!start.empty()) run.run.config.settings["solver.start"] = start;
+  run.record->median.solve = seconds;
+  run.record->samples = {run.record->median};
+  run.record->objective = objective;
+  return run;
+}
+
+TEST(SettingsTable, NamesRowsByWhatDiffersAndComparesThemWithFirstAndBest) {
+  const Tables tables =
+      settings_tables({run_with("", 2, 0.88), run_with("lower", 3, 0.8), run_with("upper", 1, 0.84)}, {});
+  ASSERT_EQ(tables.blocks.size(), 1u);
+  EXPECT_EQ(
+      tables.blocks[0].heading,
+      "ellipsoid 40x26x26, spin, rayrep; in all: density=1, ipopt.max_iter=300, solver=ipopt, wall=1.5h");
+  const std::string text = tables.blocks[0].sheet.text();
+  // 0.88 lies 10 % above 0.8, 0.84 5 %; 3 s are 1.5 times 2 s.
+  EXPECT_EQ(squeezed_line(text, "defaults"), "defaults optimal 20 2.00 1.00 1300 0.88 10.000 1.0e-10 yes");
+  EXPECT_EQ(squeezed_line(text, "start=lower"),
+            "start=lower optimal 20 3.00 1.50 1300 0.8 0.000 1.0e-10 yes");
+  EXPECT_EQ(squeezed_line(text, "start=upper"),
+            "start=upper optimal 20 1.00 0.50 1300 0.84 5.000 1.0e-10 yes");
+  EXPECT_EQ(text.find("factor"), std::string::npos) << "no column for labels that are not there";
+  EXPECT_NE(to_csv(tables).find("solver.start=lower"), std::string::npos) << "with its group";
+}
+
+TEST(SettingsTable, CountsOnlyConvergedSolvesAsBestOrFast) {
+  RecordedRun failed = run_with("lower", 0.1, 0.1), missing = run_with("upper", 0, 0);
+  failed.record->termination = "failed";
+  failed.record->message = "maximum number of iterations exceeded";
+  missing.record.reset();
+  const Tables tables = settings_tables({run_with("", 2, 0.88), failed, missing}, {});
+  const std::string text = to_text(tables);
+  EXPECT_EQ(squeezed_line(text, "defaults"), "defaults optimal 20 2.00 1.00 1300 0.88 0.000 1.0e-10 yes");
+  EXPECT_EQ(squeezed_line(text, "start=lower"), "start=lower failed 20 0.100 - 1300 0.1 - 1.0e-10 yes");
+  EXPECT_EQ(squeezed_line(text, "start=upper"), "start=upper not run - - - - - - - -");
+  EXPECT_NE(text.find("! start=lower: failed - maximum number of iterations exceeded\n"), std::string::npos)
+      << text;
+}
+
+TEST(SettingsTable, HasABlockForEachBodyAndFormulationAndSaysAFactorOnce) {
+  std::vector<RecordedRun> runs;
+  for (const char* formulation : {"rayrep", "voxel"})
+    for (const char* start : {"", "lower", "upper"}) {
+      runs.push_back(run_with(start, 1, 1));
+      runs.back().run.config.formulation = formulation;
+      runs.back().run.label = *start ? "start" : "defaults";
+    }
+  runs.push_back(run_with("", 1, 1));
+  runs.back().run.config.grid.cells = {54, 35, 34};
+  const Tables tables = settings_tables(runs, {});
+  ASSERT_EQ(tables.blocks.size(), 3u);
+  EXPECT_TRUE(tables.blocks[1].heading.starts_with("ellipsoid 40x26x26, spin, voxel;"))
+      << tables.blocks[1].heading;
+  const std::string text = tables.blocks[0].sheet.text();
+  EXPECT_TRUE(squeezed_line(text, "start ").starts_with("start start=lower")) << text;
+  EXPECT_TRUE(squeezed_line(text, "   ").starts_with(" start=upper")) << text;
+  EXPECT_NE(to_csv(tables).find("rayrep,start,solver.start=upper,"), std::string::npos) << to_csv(tables);
+}
+
+}  // namespace
+}  // namespace kreisel

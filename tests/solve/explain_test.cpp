@@ -1,0 +1,94 @@
+#include "solve/explain.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "problem/float.hpp"
+#include "solve/rows.hpp"
+#include "solve/ways.hpp"
+
+namespace kreisel {
+namespace {
+
+constexpr double area = BoxDomain::area, bottom = BoxDomain::base, whole = area * BoxDomain::height;
+const Moments mass_form = Moments::Unit(S1), height_form = Moments::Unit(SZ), x_form = Moments::Unit(SX);
+
+class Explain : public testing::TestWithParam<Way> {
+ protected:
+  static std::string of(const Problem& problem, const MassModel& mass = {}) {
+    const auto f =
+        make_formulation(GetParam().formulation, BoxDomain::columns(), problem.traits(), {}, test_device());
+    const Task task{problem, *f, mass, test_device()};
+    return explain_infeasible(find_solver("ipopt", GetParam().formulation), task, options_of(GetParam()));
+  }
+};
+
+// Three digits are printed; the solvers are good to six here, so amounts are chosen away from a half.
+
+TEST_P(Explain, NamesTheOneConstraintThatIsOutOfReach) {
+  Rows rows;
+  rows.add("balance", x_form, 0, 0).add("mass", mass_form, 1.5 * whole, 1.5 * whole);
+  rows.add("height", height_form, -Rows::free, 10);
+  EXPECT_EQ(of(rows), fmt::format("mass is out of reach by {:.3g} (body units)", 0.5 * whole));
+}
+
+TEST_P(Explain, NamesEachOfSeveralThatAreOutOfReach) {
+  // The most that leans to the right: columns at 1/16, 3/16 and 5/16, 4 x 8 cells each.
+  const double most = 4 * 8 * std::pow(BoxDomain::h, 3) * 9 / 16.0;
+  Rows rows;
+  rows.add("mass", mass_form, whole + 0.11, Rows::free).add("lean", x_form, most + 0.1, Rows::free);
+  EXPECT_EQ(of(rows), "mass is out of reach by 0.11; lean is out of reach by 0.1 (body units)");
+}
+
+TEST_P(Explain, LeavesOutWhatIsMissedByLessThanHalfOfTheWorst) {
+  // All solid is the best for both, and misses one by 0.11, the other by 0.3.
+  const double highest = area * ((bottom + 1) * (bottom + 1) - bottom * bottom) / 2;
+  Rows rows;
+  rows.add("mass", mass_form, whole + 0.11, Rows::free);
+  rows.add("moment", height_form, highest + 0.3, Rows::free);
+  EXPECT_EQ(of(rows), "moment is out of reach by 0.3 (body units)");
+}
+
+TEST_P(Explain, NamesConstraintsThatCannotBeMetTogether) {
+  // Much material, yet a small first moment: either is possible.
+  const double mass = 0.9 * whole, moment = 0.3 * area * ((bottom + 1) * (bottom + 1) - bottom * bottom) / 2;
+  Rows rows;
+  rows.add("mass", mass_form, mass, Rows::free).add("moment", height_form, -Rows::free, moment);
+  rows.add("balance", x_form, 0, 0);
+  // Filled from below up to T, both are missed by t: a (T - b) = mass - t, a (T^2 - b^2) / 2 = moment + t.
+  const double u = (mass + moment) / area + bottom + bottom * bottom / 2, height = -1 + std::sqrt(1 + 2 * u);
+  double t = mass - area * (height - bottom);
+  if (GetParam().formulation == "voxel") {  // layer by layer, the last in part
+    double s1 = 0, sz = 0;
+    for (int k = 0; k < BoxDomain::layers; ++k) {
+      const double m = area * BoxDomain::h, arm = bottom + (k + 0.5) * BoxDomain::h;
+      const double share = std::clamp((mass + moment - s1 - sz) / (m * (1 + arm)), 0.0, 1.0);
+      s1 += share * m;
+      sz += share * m * arm;
+    }
+    t = mass - s1;
+  }
+  EXPECT_EQ(of(rows), fmt::format("mass, moment cannot be met together: missed by {:.3g} at the least "
+                                  "(body units)",
+                                  t));
+}
+
+TEST_P(Explain, SaysSoWhenTheConstraintsCanBeMet) {
+  Rows rows;
+  rows.add("mass", mass_form, whole / 2, whole / 2).add("balance", x_form, 0, 0);
+  EXPECT_EQ(of(rows), "the constraints alone can be met: the solver stopped at a local infeasibility");
+}
+
+TEST_P(Explain, AFloatThatIsTooHeavySaysByHowMuch) {
+  const MassModel mass{0.3 * box_moments({0, 0, 0.5}, Vec3::Ones()), 1};
+  EXPECT_EQ(of(Float({{0.5, 1, Vec3(0, 0, 0.3), 1, 1}, 0.18, 1, 1}), mass),
+            "mass = displaced mass is out of reach by 0.12 (body units)");
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, Explain, testing::ValuesIn(ways()),
+                         [](const auto& p) { return name_of(p.param); });
+
+}  // namespace
+}  // namespace kreisel
