@@ -19,9 +19,9 @@ namespace {
   for (const Model& m : models()) names.push_back(m.name);
   for (const DebianMesh& m : debian_meshes()) names.push_back(m.name);
   const std::string meant = nearest(name, names);
-  throw InputError(
-      fmt::format("model '{}' is neither a known name nor a file; {}", name,
-                  meant.empty() ? "`bench list` shows the names" : fmt::format("did you mean '{}'?", meant)));
+  throw InputError(fmt::format(
+      "model '{}' is neither a known name nor a file{}; expected a name of `bench list`, or a mesh file",
+      name, meant.empty() ? "" : fmt::format(" (did you mean '{}'?)", meant)));
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ class Numbers {
     const std::string_view word = text_word();
     if (word.empty()) throw cut_off();
     const auto value = parse<double>(word);
-    if (!value) throw error(fmt::format("'{}', expected a number", shown(word)));
+    if (!value) throw error(fmt::format("'{}', expected a finite number", shown(word)));
     return *value;
   }
 

@@ -97,9 +97,9 @@ TEST_F(ReadPly, SaysWhereItBreaks) {
   const auto with = [&](const std::string& body) { return file("a.ply", ascii_header + body); };
   refuses(with("0 0 0\n1 0 0\n"), {"vertex 3", "ends here", "expected 4"});
   refuses(with("0 0 0\n1 0 0\n1 1 0\n0 1 0\n"), {"face 1", "ends here"});
-  refuses(with("0 0 0\n1 nan 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"), {"vertex 2", "coordinate y", "nan"});
-  refuses(with("0 0 0\n1 0 0\n1 1 inf\n0 1 0\n4 0 1 2 3\n"), {"vertex 3", "coordinate z", "inf"});
-  refuses(with("0 0 0\n1 zero 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"), {"vertex 2", "'zero'", "a number"});
+  refuses(with("0 0 0\n1 nan 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"), {"vertex 2", "finite", "nan"});
+  refuses(with("0 0 0\n1 0 0\n1 1 inf\n0 1 0\n4 0 1 2 3\n"), {"vertex 3", "finite", "inf"});
+  refuses(with("0 0 0\n1 zero 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"), {"vertex 2", "'zero'", "a finite number"});
   refuses(with("0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 4\n"), {"face 1", "index 4", "0 to 3"});
   refuses(with("0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 -1\n"), {"face 1", "index -1"});
   refuses(with("0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 2.5\n"), {"face 1", "index 2.5"});

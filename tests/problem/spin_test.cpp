@@ -219,7 +219,7 @@ void refuses(const std::string& name, const ProblemSettings& settings, const std
 }
 
 TEST(MakeProblem, RefusesUnknownNamesAndUnfitSettings) {
-  refuses("spinn", {}, "problem 'spinn' is unknown; expected one of: spin");
+  refuses("spinn", {}, "problem 'spinn' is unknown (did you mean 'spin'?); expected one of: spin");
   refuses("spin", {{"lamda", "1"}}, "problem.lamda = 1 for spin");
   refuses("spin", {{"lambda", "-1"}}, "problem.lambda = -1 for spin");
   refuses("spin", {{"gamma_i", "0"}}, "problem.gamma_i = 0 for spin");
