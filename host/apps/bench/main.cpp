@@ -80,11 +80,11 @@ void add_run_options(CLI::App& app, Parsed& parsed) {
 void add_inspect_options(CLI::App& app, Parsed& parsed) {
   for (const auto& [name, help] : fields) {
     const std::string_view field = name;
-    if (field == "model") add_field(app, parsed, "model", name, help);
+    if (field == "model") add_field(app, parsed, "model,--model", name, help);
     for (const char* used : {"axis", "contact", "up", "size", "density", "fineness", "device"})
       if (field == used) add_field(app, parsed, fmt::format("--{}", name), name, help);
   }
-  app.get_option("model")->required();
+  app.get_option("--model")->required();
   app.add_option("--json", parsed.once.json_file, "write it all as JSON; - for standard output");
 }
 
