@@ -24,7 +24,17 @@ namespace {
       name, meant.empty() ? "" : fmt::format(" (did you mean '{}'?)", meant)));
 }
 
+bool is_name(const std::string& model) {
+  std::error_code ignored;
+  const std::filesystem::path path(model);
+  return !path.has_extension() && !std::filesystem::exists(path, ignored);
+}
+
 }  // namespace
+
+void require_known_model(const std::string& model) {
+  if (!find_model(model) && !find_debian_mesh(model) && is_name(model)) unknown(model);
+}
 
 Source load_source(const BodySpec& spec) {
   if (const Model* model = find_model(spec.model)) {
@@ -47,8 +57,8 @@ Source load_source(const BodySpec& spec) {
             .up = real->up,
             .contact = {},
             .size = DebianMesh::size};
+  require_known_model(spec.model);
   const std::filesystem::path path(spec.model);
-  if (!path.has_extension() && !std::filesystem::exists(path)) unknown(spec.model);
   return {.name = path.stem().string(),
           .format = std::string(mesh_format(path).name),
           .mesh = read_mesh(path),

@@ -20,4 +20,8 @@ struct Source {
 /// @throws InputError  neither a name (says the nearest) nor a readable file; fineness < 0
 [[nodiscard]] Source load_source(const BodySpec& spec);
 
+/// Looks at the name alone: a file may still be missing or broken.
+/// @throws InputError  neither the name of a model nor like that of a file; says the nearest
+void require_known_model(const std::string& model);
+
 }  // namespace kreisel

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "error.hpp"
+#include "unknown_name.hpp"
 
 namespace kreisel {
 namespace fs = std::filesystem;
@@ -15,6 +18,22 @@ namespace {
 bool is_folder(const fs::path& path) {
   std::error_code ignored;
   return !path.empty() && fs::is_directory(path, ignored);
+}
+
+/// NAME with the extension in one of the folders.
+fs::path find_file(std::string_view kind, std::string_view name, const std::string& extension,
+                   const std::vector<fs::path>& folders) {
+  std::vector<std::string> names;
+  for (const fs::path& folder : folders) {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+      if (entry.path().extension() != extension) continue;
+      if (entry.path().stem() == name) return entry.path();
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::ranges::sort(names);
+  throw unknown_name(kind, name, names);
 }
 
 }  // namespace
@@ -41,15 +60,12 @@ fs::path data_folder() {
 
 fs::path published_file(std::string_view name) {
   const fs::path data = data_folder();
-  const std::string file = fmt::format("{}.json", name);
   // Installed data has no results/ level: nothing there is a result of ours.
-  for (const fs::path& folder : {data / "published", data / "results" / "published"}) {
-    std::error_code ignored;
-    if (fs::is_regular_file(folder / file, ignored)) return folder / file;
-  }
-  throw InputError(
-      fmt::format("published numbers '{}': no {} under {}, expected a name such as rayrep_table2", name, file,
-                  data.string()));
+  return find_file("published numbers", name, ".json", {data / "published", data / "results" / "published"});
+}
+
+fs::path figure_file(std::string_view name) {
+  return find_file("figure", name, ".py", {data_folder() / "plots"});
 }
 
 }  // namespace kreisel

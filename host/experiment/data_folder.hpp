@@ -14,7 +14,12 @@ namespace kreisel {
 
 /// The JSON file of a paper's numbers, e.g. "rayrep_table2".
 ///
-/// @throws InputError  no such file
+/// @throws InputError  no such file; names the nearest
 [[nodiscard]] std::filesystem::path published_file(std::string_view name);
+
+/// The script that draws a figure, e.g. "history".
+///
+/// @throws InputError  no such file; names the nearest
+[[nodiscard]] std::filesystem::path figure_file(std::string_view name);
 
 }  // namespace kreisel

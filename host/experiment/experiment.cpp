@@ -12,6 +12,8 @@
 #include "experiment/data_folder.hpp"
 #include "experiment/table.hpp"
 #include "nearest.hpp"
+#include "run/field_names.hpp"
+#include "unknown_name.hpp"
 
 namespace kreisel {
 namespace fs = std::filesystem;
@@ -134,8 +136,18 @@ class Parser {
     } else if (key.str().find('.') != std::string_view::npos) {
       fail(at.line, fmt::format("setting '{}' outside 'set', expected set.{}", key.str(), key.str()));
     } else {
+      require_known(key.str(), at.line);
       into.push_back({std::string(key.str()), values_of(key.str(), node, at.line), at});
     }
+  }
+
+  void require_known(std::string_view key, unsigned line) const {
+    if (is_field(key)) return;
+    std::vector<std::string_view> names = {"title", "table", "published", "figures",
+                                           "run",   "label", "mesh",      "set"};
+    const auto fields = field_names();
+    names.insert(names.end(), fields.begin(), fields.end() - 4);  // settings stand under 'set'
+    fail(line, unknown_name("key", key, names).what());
   }
 
   /// [run.set]: nested tables and dotted names mean the same.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <optional>
 #include <system_error>
 
@@ -97,7 +98,12 @@ class MeshInProgress {
 
   [[nodiscard]] std::string file() const { return partial_.string(); }
 
-  void keep(RunResult& result) {
+  /// The record names the mesh as it will be.
+  void name_in(RunResult& result) const {
+    if (!partial_.empty()) result.verified.file = target_.string();
+  }
+
+  void keep() {
     if (partial_.empty()) return;
     std::error_code error;
     fs::rename(partial_, target_, error);
@@ -105,7 +111,6 @@ class MeshInProgress {
       throw InputError(
           fmt::format("{}: {}, expected to keep the mesh there", target_.string(), error.message()));
     partial_.clear();
-    result.verified.file = target_.string();
   }
 
  private:
@@ -178,6 +183,8 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
     try {
       result =
           hooks.run(run.config, mesh.file(), [&](const std::string& step) { progress.step(step); }).result;
+    } catch (const std::bad_alloc&) {
+      error = "not enough memory; expected a coarser resolution";
     } catch (const std::exception& e) {
       error = e.what();
     } catch (...) {  // Ipopt's own are no std::exception
@@ -189,8 +196,9 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
     const bool cut_short =
         result && result->samples.size() < static_cast<std::size_t>(run.config.repeat) && hooks.interrupted();
     if (result && !cut_short && result->outcome.termination != Termination::interrupted) {
-      mesh.keep(*result);
-      write_record(run.record, *result);
+      mesh.name_in(*result);
+      write_record(run.record, *result);  // may find the disk full: then the old mesh stays, too
+      mesh.keep();
       ++counts.done;
       if (!converged(result->outcome.termination)) ++counts.unconverged;
       progress.note(result_text(*result, seconds));

@@ -98,6 +98,7 @@ json to_json(const RunResult& r) {
   for (const Seconds& s : r.samples) samples.push_back(to_json(s));
   return plain({
       {"model", r.body_name},
+      {"repairs", r.repairs},
       {"problem", r.config.problem},
       {"formulation", r.config.formulation},
       {"solver", r.config.solver},

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "error.hpp"
 #include "file/replace_file.hpp"
@@ -69,6 +70,7 @@ void write_root(Group& root, const RunConfig& config, const std::string& model) 
 
 void write_body(Group group, const RunResult& r) {
   group.set("name", r.body_name);
+  group.set("repairs", fmt::format("{}", fmt::join(r.repairs, "\n")));
   group.set("density", r.density);
   group.set("density_units", "g/cm^3");
   group.set("solid_mass", r.solid_mass_grams);

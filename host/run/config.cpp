@@ -10,7 +10,11 @@
 #include <vector>
 
 #include "error.hpp"
+#include "formulation/formulation.hpp"
 #include "parse.hpp"
+#include "problem/problem.hpp"
+#include "run/field_names.hpp"
+#include "solve/solver.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel {
@@ -87,9 +91,15 @@ const std::map<std::string_view, Setter>& setters() {
       {"density", [](C c, S k, S v) { c.body.density = number(k, v); }},
       {"void-density", [](C c, S k, S v) { c.body.void_density = number(k, v); }},
       {"fineness", [](C c, S k, S v) { c.body.fineness = whole(k, v, 1); }},
-      {"problem", [](C c, S, S v) { c.problem = v; }},
-      {"formulation", [](C c, S, S v) { c.formulation = v; }},
-      {"solver", [](C c, S, S v) { c.solver = v; }},
+      // A name that nobody knows is told where it is written, not when its turn comes.
+      {"problem", [](C c, S, S v) { c.problem = find_problem(v).name; }},
+      {"formulation", [](C c, S, S v) { c.formulation = find_formulation(v).name; }},
+      {"solver",
+       [](C c, S, S v) {
+         if (std::ranges::find(solvers(), v, &SolverEntry::name) == solvers().end())
+           throw unknown_name("solver", v, names_of(solvers()));
+         c.solver = v;
+       }},
       {"resolution", [](C c, S k, S v) { c.grid = grid(k, v); }},
       {"wall", [](C c, S, S v) { c.wall = parse_wall(std::string(v)); }},
       {"rounding",
@@ -127,14 +137,22 @@ void set_field(RunConfig& config, std::string_view key, std::string_view value) 
     config.settings[std::string(key)] = value;
     return;
   }
-  const auto found = setters().find(key);
-  if (found == setters().end()) {
-    std::vector<std::string_view> names;
-    for (const auto& [name, setter] : setters()) names.push_back(name);
-    names.insert(names.end(), {"ipopt.NAME", "problem.NAME", "formulation.NAME", "solver.NAME"});
-    throw unknown_name("field", key, names);
+  if (!is_field(key)) {
+    const std::string_view group = key.substr(0, key.find('.'));
+    if (group != key && std::ranges::find(groups, group) == groups.end())
+      throw unknown_name(fmt::format("setting '{}': group", key), group, groups);
+    throw unknown_name("field", key, field_names());
   }
-  found->second(config, key, value);
+  setters().at(key)(config, key, value);
+}
+
+bool is_field(std::string_view key) { return is_setting(key) || setters().contains(key); }
+
+std::vector<std::string_view> field_names() {
+  std::vector<std::string_view> names;
+  for (const auto& [name, setter] : setters()) names.push_back(name);
+  names.insert(names.end(), {"ipopt.NAME", "problem.NAME", "formulation.NAME", "solver.NAME"});
+  return names;
 }
 
 std::map<std::string, std::string> settings_of(const RunConfig& config, std::string_view group) {

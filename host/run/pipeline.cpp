@@ -117,12 +117,15 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   BodySpec spec = config.body;
   spec.stands_upright = asked.upright;
   const Body body = make_body(spec, device);
+  stop_if_interrupted();
   const std::unique_ptr<Problem> problem = asked.make(settings_of(config, "problem"), body);
   const Columns domain = make_columns(body, config.grid, config.wall);
+  stop_if_interrupted();
   const MassModel mass = hollowed(body, domain.interior);
   const std::unique_ptr<Formulation> formulation =
       way.make(domain, problem->traits(), settings_of(config, "formulation"), device);
   warm_up(*formulation);
+  stop_if_interrupted();
   const double setup_seconds = setup.seconds();
 
   RunOutput output;
@@ -155,6 +158,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
          (r.samples.empty() || (budget.seconds() < config.budget_seconds && !interrupted()))) {
     tell(fmt::format("solve {} of {}", r.samples.size() + 1, config.repeat));
     r.outcome = solve(solver, {*problem, *formulation, mass, device}, options);
+    if (r.outcome.termination == Termination::interrupted) throw Interrupted();
     r.samples.push_back({setup_seconds, r.outcome.kernel_seconds, r.outcome.solve_seconds,
                          setup_seconds + r.outcome.solve_seconds});
   }
@@ -162,6 +166,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   if (r.outcome.termination == Termination::infeasible) {
     tell("look for what cannot be met");
     r.infeasibility = explain_infeasible(solver, {*problem, *formulation, mass, device}, options);
+    stop_if_interrupted();  // its solves stopped early, so that what they say would be wrong
   }
 
   tell("round, extract, verify");

@@ -20,7 +20,9 @@ struct RunOutput {
 /// Body -> domain -> formulation -> solver (repeated) -> round -> void surface -> written file -> verdict.
 ///
 /// @param mesh_file  where the part is written (STL, replaced as a whole); empty: a temporary file, removed
-/// @throws InputError  bad configuration or mesh
+/// @throws InputError   bad configuration or mesh
+/// @throws Interrupted  before there was a result; nothing is written
+/// @throws MemoryError  the solver has too little
 RunOutput run(const RunConfig& config, const std::string& mesh_file = {}, const Progress& progress = {});
 
 }  // namespace kreisel

@@ -21,4 +21,8 @@ void catch_interrupts() {
 
 bool interrupted() { return flag != 0; }
 
+void stop_if_interrupted() {
+  if (interrupted()) throw Interrupted();
+}
+
 }  // namespace kreisel

@@ -2,7 +2,6 @@
 
 #include <IpoptConfig.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <IpIpoptApplication.hpp>
 #include <IpSolveStatistics.hpp>
@@ -10,9 +9,11 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <new>
 
 #include "error.hpp"
 #include "nearest.hpp"
+#include "solve/memory.hpp"
 #include "solve/nlp.hpp"
 
 namespace kreisel {
@@ -113,6 +114,8 @@ std::string message_of(Ipopt::ApplicationReturnStatus status) {
       return "stopped by the user";
     case Ipopt::Insufficient_Memory:
       return "not enough memory";
+    case Ipopt::Internal_Error:
+      return "Ipopt's linear solver gave up, as it does when memory runs out";
     case Ipopt::Not_Enough_Degrees_Of_Freedom:
       return "too few degrees of freedom";
     default:
@@ -145,24 +148,20 @@ double natural_scale(const Task& task, const std::vector<double>& start, double 
 }
 
 /// Ipopt and MUMPS keep some 2 kB a variable (measured: 1.8 kB a voxel, 1.6 kB an end of a ray). Asking for
-/// more than the machine has would end in the system's hands, not in ours.
+/// more than there is would end in the system's hands, not in ours.
 void require_memory(const Task& task) {
   constexpr double bytes = 2000, gibi = 1 << 30;
   const double need = bytes * static_cast<double>(task.formulation.num_variables()) / gibi;
-  const double have =
-      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / gibi;
+  const Memory memory = available_memory();
+  const double have = memory.bytes / gibi;
   if (need > have)
     throw InputError(
-        fmt::format("{} with {} variables needs about {:.3g} GiB in Ipopt and this machine has {:.3g}; "
-                    "expected a coarser "
+        fmt::format("{} with {} variables needs about {:.3g} GiB in Ipopt and {} {:.3g}; expected a coarser "
                     "--resolution",
-                    task.formulation.name(), task.formulation.num_variables(), need, have));
+                    task.formulation.name(), task.formulation.num_variables(), need, memory.of, have));
 }
 
-}  // namespace
-
-Outcome solve_with_ipopt(const Task& task, const SolverOptions& options) {
-  require_memory(task);
+Outcome solve(const Task& task, const SolverOptions& options) {
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> app = new Ipopt::IpoptApplication(false);
   app->RethrowNonIpoptException(true);
   Settings settings = options.own;
@@ -206,6 +205,19 @@ Outcome solve_with_ipopt(const Task& task, const SolverOptions& options) {
     outcome.complementarity = complementarity;
   }
   return outcome;
+}
+
+}  // namespace
+
+Outcome solve_with_ipopt(const Task& task, const SolverOptions& options) {
+  require_memory(task);
+  try {
+    return solve(task, options);
+  } catch (const std::bad_alloc&) {
+    throw MemoryError(
+        fmt::format("Ipopt ran out of memory with {} variables of {}; expected a coarser --resolution",
+                    task.formulation.num_variables(), task.formulation.name()));
+  }
 }
 
 std::string ipopt_version() { return IPOPT_VERSION; }

@@ -25,7 +25,7 @@ ATTRIBUTES = {
         "ipopt_version": TEXT, "linear_solver": TEXT, "blas": TEXT, "started": TEXT,
     },
     "/body": {
-        "name": TEXT, "density": REAL, "density_units": TEXT, "solid_mass": REAL, "solid_mass_units": TEXT,
+        "name": TEXT, "repairs": TEXT, "density": REAL, "density_units": TEXT, "solid_mass": REAL, "solid_mass_units": TEXT,
         "length": REAL, "length_units": TEXT, "mass_unit": REAL, "mass_unit_units": TEXT,
         "solid_objective": REAL,
     },

@@ -9,7 +9,8 @@
 
 namespace kreisel::bench {
 
-/// 0 done, 2 bad input or use, 3 infeasible problem, 4 solver did not converge, 130 interrupted.
+/// 0 done, 2 bad input or use, 3 infeasible problem, 4 solver did not converge or memory ran out, 130
+/// interrupted.
 enum ExitCode : int { done = 0, bad_input = 2, infeasible = 3, not_converged = 4, was_interrupted = 130 };
 
 struct OnceOptions {

@@ -3,14 +3,34 @@
 #include <fmt/format.h>
 
 #include "apps/bench/commands.hpp"
+#include "apps/bench/outputs.hpp"
+#include "body/source.hpp"
+#include "error.hpp"
+#include "experiment/data_folder.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/table.hpp"
 #include "record/record.hpp"
 
 namespace kreisel::bench {
+namespace {
+
+/// Before hours of work: names of models and files that are looked up in the course of it or after it.
+void require_names(const Experiment& experiment) {
+  try {
+    for (const ExperimentRun& run : experiment.runs) require_known_model(run.config.body.model);
+    if (!experiment.published.empty()) (void)published_file(experiment.published);
+    for (const std::string& figure : experiment.figures) (void)figure_file(figure);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("experiment {}: {}", experiment.name, error.what()));
+  }
+}
+
+}  // namespace
 
 int run_experiment(const ExperimentOptions& options) {
   Experiment experiment = read_experiment(find_experiment(options.name));
+  require_names(experiment);
+  if (!options.csv_file.empty()) require_writable(options.csv_file, "--csv");
   if (!options.device.empty())
     for (ExperimentRun& run : experiment.runs) set_field(run.config, "device", options.device);
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/bench/commands.hpp"
+#include "apps/bench/outputs.hpp"
 #include "body/body.hpp"
 #include "body/source.hpp"
 #include "error.hpp"
@@ -192,6 +193,7 @@ json to_json(const Solid& s) {
 
 int inspect_model(const InspectOptions& options) {
   const BodySpec& spec = options.config.body;
+  require_writable(options.json_file, "--json");
   const bool only_json = options.json_file == "-";
   const Surface surface = look_at_surface(spec);
   json summary = to_json(surface);

@@ -2,14 +2,21 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <new>
+#include <string_view>
 #include <tuple>
 
 #include "apps/bench/commands.hpp"
+#include "apps/bench/outputs.hpp"
 #include "device/device.hpp"
 #include "error.hpp"
 #include "nearest.hpp"
 #include "run/build_info.hpp"
 #include "solve/interrupt.hpp"
+#include "solve/memory.hpp"
 
 namespace {
 
@@ -99,19 +106,22 @@ void apply(Parsed& parsed) {
   }
 }
 
-/// CLI11's message, and for an unknown option the one that was probably meant.
+/// One line for what CLI11 refuses: of an unknown option or command its name and the nearest that there is.
 std::string explained(const CLI::App& app, const CLI::ParseError& error) {
-  std::string meant;
-  if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
-    const CLI::App* used = app.get_subcommands().empty() ? &app : app.get_subcommands().front();
-    std::vector<std::string> names;
-    for (const CLI::Option* option : used->get_options()) names.push_back(option->get_name());
-    for (const CLI::App* sub : app.get_subcommands(nullptr)) names.push_back(sub->get_name());
-    const std::vector<std::string> extras = used == &app ? app.remaining(true) : used->remaining(true);
-    if (!extras.empty()) meant = kreisel::nearest(extras.front(), names);
-  }
-  return fmt::format("{}{} (bench --help lists the options)", error.what(),
-                     meant.empty() ? "" : fmt::format("; did you mean {}?", meant));
+  constexpr const char* help = "(bench --help lists the options)";
+  const CLI::App* used = app.get_subcommands().empty() ? &app : app.get_subcommands().front();
+  std::vector<std::string> extras;
+  if (dynamic_cast<const CLI::ExtrasError*>(&error)) extras = used->remaining(true);
+  if (extras.empty()) return fmt::format("{} {}", error.what(), help);
+  // What follows an unknown option is unknown, too: the option is the one to name.
+  const auto option = std::ranges::find_if(extras, [](const std::string& e) { return e.starts_with('-'); });
+  const std::string& extra = option != extras.end() ? *option : extras.front();
+  std::vector<std::string> names;
+  for (const CLI::Option* known : used->get_options()) names.push_back(known->get_name());
+  for (const CLI::App* sub : used->get_subcommands(nullptr)) names.push_back(sub->get_name());
+  const std::string meant = kreisel::nearest(extra.substr(0, extra.find('=')), names);
+  return fmt::format("'{}' was not expected{}; expected an option or a command {}", extra,
+                     meant.empty() ? "" : fmt::format(" (did you mean '{}'?)", meant), help);
 }
 
 int dispatch(int argc, char** argv) {
@@ -175,13 +185,27 @@ int dispatch(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   kreisel::catch_interrupts();
+  // A file that may not grow fails as on a full disk: the write says so and what is begun is removed.
+  std::signal(SIGXFSZ, SIG_IGN);
+  const auto say = [](std::string_view what, int code) {
+    std::fflush(stdout);
+    fmt::print(stderr, "bench: {}\n", what);
+    return code;
+  };
   try {
-    return dispatch(argc, argv);
+    const int code = dispatch(argc, argv);
+    flush_output();
+    return code;
   } catch (const InputError& error) {
-    fmt::print(stderr, "bench: {}\n", error.what());
-    return bad_input;
+    return say(error.what(), bad_input);
+  } catch (const kreisel::Interrupted&) {
+    return say("interrupted, nothing written", was_interrupted);
+  } catch (const kreisel::MemoryError& error) {
+    return say(error.what(), not_converged);
+  } catch (const std::bad_alloc&) {
+    return say("not enough memory; expected a coarser --resolution or a mesh of fewer triangles",
+               not_converged);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "bench: internal error: {}\n", error.what());
-    return 1;
+    return say(fmt::format("internal error: {}", error.what()), 1);
   }
 }

@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "apps/bench/commands.hpp"
-#include "error.hpp"
+#include "apps/bench/outputs.hpp"
 #include "mesh/format.hpp"
 #include "record/record.hpp"
 #include "run/pipeline.hpp"
+#include "solve/interrupt.hpp"
 
 namespace kreisel::bench {
 namespace {
@@ -65,30 +65,36 @@ int exit_code(Termination termination) {
   return not_converged;
 }
 
-/// Before minutes of work, not after: an output that could not be written.
-void require_folder(const std::string& file, const char* option) {
-  if (file.empty() || file == "-") return;
-  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-  if (!std::filesystem::is_directory(folder))
-    throw InputError(
-        fmt::format("{} {}; expected an existing folder, {} is none", option, file, folder.string()));
-  if (std::filesystem::is_directory(file))
-    throw InputError(fmt::format("{} {} is a folder; expected the name of a file", option, file));
+/// The step under way, on a terminal; the line is taken back in the end, also ahead of an error.
+class StepLine {
+ public:
+  StepLine() = default;
+  StepLine(const StepLine&) = delete;
+  StepLine& operator=(const StepLine&) = delete;
+  ~StepLine() {
+    if (terminal_) fmt::print(stderr, "\r\033[K");
+  }
+  void show(const std::string& step) const {
+    if (terminal_) fmt::print(stderr, "\r\033[K{} ...", step);
+  }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+};
+
+RunOutput run_showing_steps(const OnceOptions& options) {
+  const StepLine line;
+  return run(options.config, options.mesh_file, [&](const std::string& step) { line.show(step); });
 }
 
 }  // namespace
 
 int run_once(const OnceOptions& options) {
-  require_folder(options.json_file, "--json");
-  require_folder(options.mesh_file, "--mesh");
+  require_writable(options.json_file, "--json");
+  require_writable(options.mesh_file, "--mesh");
   if (!options.mesh_file.empty()) (void)mesh_format(options.mesh_file);
-  require_folder(options.record_file, "--record");
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const auto progress = [terminal](const std::string& step) {
-    if (terminal) fmt::print(stderr, "\r\033[K{} ...", step);
-  };
-  const RunOutput output = run(options.config, options.mesh_file, progress);
-  if (terminal) fmt::print(stderr, "\r\033[K");
+  require_writable(options.record_file, "--record");
+  const RunOutput output = run_showing_steps(options);
   const RunResult& result = output.result;
   if (!options.record_file.empty()) write_record(options.record_file, result);
   const std::string json = to_json(result).dump(2) + "\n";
@@ -98,7 +104,8 @@ int run_once(const OnceOptions& options) {
     if (!options.json_file.empty()) write_text(options.json_file, json);
     print_result(result, output.outer);
   }
-  return exit_code(result.outcome.termination);
+  const bool cut_short = result.samples.size() < static_cast<std::size_t>(options.config.repeat);
+  return cut_short && interrupted() ? was_interrupted : exit_code(result.outcome.termination);
 }
 
 }  // namespace kreisel::bench

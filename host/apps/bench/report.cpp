@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/bench/commands.hpp"
+#include "apps/bench/outputs.hpp"
 #include "error.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/table.hpp"
@@ -108,6 +109,7 @@ int call(const fs::path& script, const fs::path& tables, const std::string& outp
 }  // namespace
 
 int report(const ReportOptions& options) {
+  require_writable(options.output, "-o");
   const fs::path script = data_folder() / "plots" / "report.py";
   if (!fs::is_regular_file(script))
     throw InputError(fmt::format("{}: no such file, expected the script that draws", script.string()));

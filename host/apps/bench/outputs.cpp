@@ -1,0 +1,35 @@
+#include "apps/bench/outputs.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "error.hpp"
+
+namespace kreisel::bench {
+
+void require_writable(const std::string& file, const char* option) {
+  if (file.empty() || file == "-") return;
+  std::error_code ignored;
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  if (!std::filesystem::is_directory(folder, ignored))
+    throw InputError(
+        fmt::format("{} {}; expected an existing folder, {} is none", option, file, folder.string()));
+  if (std::filesystem::is_directory(file, ignored))
+    throw InputError(fmt::format("{} {} is a folder; expected the name of a file", option, file));
+  if (::access(folder.c_str(), W_OK) != 0)
+    throw InputError(fmt::format("{} {}: folder {}: {}; expected write permission", option, file,
+                                 folder.string(), std::strerror(errno)));
+}
+
+void flush_output() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  throw InputError(
+      fmt::format("standard output: {}; expected one that takes what is printed", std::strerror(errno)));
+}
+
+}  // namespace kreisel::bench

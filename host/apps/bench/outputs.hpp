@@ -1,0 +1,16 @@
+// outputs.hpp - whether what is asked for can be written.
+#pragma once
+
+#include <string>
+
+namespace kreisel::bench {
+
+/// Before minutes of work, not after: can the file be written? Empty and "-" (standard output) are fine.
+/// @param option  as the user gave it, for the message
+/// @throws InputError  its folder is none or refuses new files, or the name is taken by a folder
+void require_writable(const std::string& file, const char* option);
+
+/// Sends out what standard output holds back. @throws InputError  it takes no more, as a full disk does
+void flush_output();
+
+}  // namespace kreisel::bench
