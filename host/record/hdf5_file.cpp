@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "error.hpp"
+#include "file/write_text.hpp"
 
 namespace kreisel::hdf5 {
 namespace {
@@ -29,6 +30,7 @@ std::string last_words() {
         return 0;
       },
       &words);
+  std::ranges::replace(words, '\n', ' ');  // some carry the time as ctime() gives it
   return words;
 }
 
@@ -262,13 +264,17 @@ Handle access() {
 
 }  // namespace
 
-File File::create(const std::filesystem::path& path, const std::string& shown) {
+File File::create(const std::filesystem::path& path) {
   be_quiet();
-  const std::string name = shown.empty() ? path.string() : shown;
   const Handle how = access();
-  Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, how.id()), H5Fclose);
-  if (file.id() < 0) fail_in(name, "", "cannot be written, expected a folder with write permission");
-  return {std::move(file), std::make_shared<const std::string>(name)};
+  constexpr std::size_t growth = 1 << 20;
+  // In memory: the library does not survive a full disk, it crashes while the program ends.
+  Handle file(H5Pset_fapl_core(how.id(), growth, false) < 0
+                  ? -1
+                  : H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, how.id()),
+              H5Fclose);
+  if (file.id() < 0) fail_in(path.string(), "", "cannot be made in memory");
+  return {std::move(file), std::make_shared<const std::string>(path.string())};
 }
 
 File File::open(const std::filesystem::path& path) {
@@ -280,7 +286,13 @@ File File::open(const std::filesystem::path& path) {
 }
 
 void File::close() {
-  if (!handle_.close()) fail("", "cannot be written to its end");
+  std::string image;
+  if (H5Fflush(handle_.id(), H5F_SCOPE_GLOBAL) < 0) fail("", "cannot be completed");
+  if (const ssize_t size = H5Fget_file_image(handle_.id(), nullptr, 0); size > 0)
+    image.resize(static_cast<std::size_t>(size));
+  if (H5Fget_file_image(handle_.id(), image.data(), image.size()) < 0) fail("", "cannot be completed");
+  if (!handle_.close()) fail("", "cannot be closed, a group of it is open");
+  write_text(*file_, image);
 }
 
 }  // namespace kreisel::hdf5

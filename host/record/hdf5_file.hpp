@@ -109,12 +109,13 @@ class Group {
 /// An open file; as a group, its root. Opening the first one turns HDF5's own printing of errors off.
 class File : public Group {
  public:
-  /// A new, empty file; replaces one of that name. @param shown  the name in messages, if not `path` itself
-  [[nodiscard]] static File create(const std::filesystem::path& path, const std::string& shown = {});
+  /// A new, empty file, kept in memory until close().
+  [[nodiscard]] static File create(const std::filesystem::path& path);
   /// An existing file, read-only.
   [[nodiscard]] static File open(const std::filesystem::path& path);
 
-  /// Writes everything out. @throws InputError  the disk is full, for one. The destructor cannot tell.
+  /// Writes a file that create() gave; it appears whole or not at all. Without this call there is none.
+  /// @throws InputError  the folder cannot be written, the disk is full
   void close();
 
  private:

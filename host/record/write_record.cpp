@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "error.hpp"
-#include "file/replace_file.hpp"
 #include "record/hdf5_file.hpp"
 #include "record/record.hpp"
 
@@ -182,11 +180,9 @@ void write_verified(Group group, const Verified& v) {
 
 template <class Write>
 void write_whole(const std::filesystem::path& path, const Write& write) {
-  replace_file(path, [&](const std::filesystem::path& temporary) {
-    hdf5::File file = hdf5::File::create(temporary, path.string());
-    write(file);
-    file.close();
-  });
+  hdf5::File file = hdf5::File::create(path);
+  write(file);
+  file.close();
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // bench_test.cpp - `bench` as a user runs it: exit codes, messages, files.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -79,75 +80,6 @@ TEST_F(Bench, VoxelAndRayRepAgreeWithinOnePercent) {
   EXPECT_NEAR(objective[0], objective[1], 0.01 * objective[1]);
 }
 
-struct Mistake {
-  const char* arguments;
-  const char* says;
-};
-
-void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.arguments; }
-
-class BenchMistake : public ::testing::TestWithParam<Mistake> {};
-
-TEST_P(BenchMistake, GetsOneLineAndExitCodeTwo) {
-  const BenchAnswer a = bench(GetParam().arguments);
-  EXPECT_EQ(a.code, 2) << a.out;
-  EXPECT_EQ(std::count(a.out.begin(), a.out.end(), '\n'), 1) << a.out;
-  EXPECT_NE(a.out.find(GetParam().says), std::string::npos) << a.out;
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    All, BenchMistake,
-    ::testing::Values(
-        Mistake{"--model nosuch", "neither a known name nor a file"},
-        Mistake{"--model dukc", "did you mean 'duck'?"}, Mistake{"--model /no/such.stl", "no such file"},
-        Mistake{"--resolution 3000", "expected 2 to 1024"},
-        Mistake{"--resolution abc", "cells along the longest side"},
-        Mistake{"--wall 0.5h", "expected at least 0.87"}, Mistake{"--wall 50%", "leaves no interior"},
-        Mistake{"--wall x", "expected a positive number"},
-        Mistake{"--set foo=1", "expected GROUP.NAME=VALUE"},
-        Mistake{"--set ipopt.nosuch=1", "Ipopt has no option of that name"},
-        Mistake{"--set ipopt.tol=abc", "is not a value Ipopt takes"},
-        Mistake{"--set solver.start=nowhere", "expected lower, middle or upper"},
-        Mistake{"--set problem.lambda=-1", "expected lambda >= 0"},
-        Mistake{"--formulation nosuch", "expected one of"},
-        Mistake{"--problem nosuch", "expected one of: spin, stand, float, balance"},
-        Mistake{"--problem float --set problem.draft=abc",
-                "problem.draft = abc; expected a share of the height"},
-        Mistake{"--problem float --density 3 --set problem.draft=solid", "sinks"},
-        Mistake{"--problem stand --set problem.target=foo",
-                "problem.target = foo for stand; expected centre, inside or max-tilt"},
-        Mistake{"--problem stand --model ellipsoid --fineness 4", "ellipsoid has no base to stand on: 1 of"},
-        Mistake{"--problem stand --model ellipsoid --set problem.base=0%", "has no base to stand on: 1 of"},
-        Mistake{"--problem balance", "expected --set problem.point=x,y,z"},
-        Mistake{"--problem balance --set problem.point=1,2", "problem.point = 1,2 for balance; expected"},
-        Mistake{"--solver nosuch", "expected one of: ipopt"}, Mistake{"--axis 0,0,0", "no direction"},
-        Mistake{"--axis 1,2", "three numbers"}, Mistake{"--density 0", "expected > 0"},
-        Mistake{"--size -3", "expected > 0"}, Mistake{"--device nosuch", "not found"},
-        Mistake{"--nosuch", "not expected"}, Mistake{"--repeat 0", "expected a whole number >= 1"},
-        Mistake{"--mesh /no/such/folder/a.stl", "expected an existing folder"},
-        Mistake{"--mesh part.step", "expected .stl, .3mf, .obj, .ply or .off"},
-        Mistake{"--json /no/such/folder/a.json", "expected an existing folder"},
-        Mistake{"run nosuch", "nosuch"}, Mistake{"show /no/such.h5", "no such file"}));
-
-TEST_F(Bench, RefusesAnOpenMeshAndSaysWhere) {
-  std::ofstream(file("open.off")) << "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n";
-  const BenchAnswer a = bench(fmt::format("--model {}", file("open.off")));
-  EXPECT_EQ(a.code, 2) << a.out;
-  EXPECT_NE(a.out.find("open edges: 3"), std::string::npos) << a.out;
-}
-
-TEST_F(Bench, AnInfeasibleProblemEndsWithThree) {
-  // A tall thin box, spun about a corner edge: hollowing cannot bring its centre of mass there.
-  std::ofstream(file("box.off"))
-      << "OFF\n8 12 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n0 0 4\n4 0 4\n4 4 4\n0 4 4\n"
-         "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n"
-         "3 3 0 4\n3 3 4 7\n";
-  const BenchAnswer a = bench(
-      fmt::format("--model {} --contact 0.2,0.2,0 --resolution 12 --formulation voxel", file("box.off")));
-  EXPECT_EQ(a.code, 3) << a.out;
-  EXPECT_NE(a.out.find("does not spin"), std::string::npos) << a.out;
-}
-
 /// The bird on a coarse grid: its wall is thick, and what can be asked of it is little.
 constexpr const char* bird = "--model bird --fineness 16 --resolution 24";
 
@@ -159,8 +91,8 @@ Moments written_moments(const std::string& file) {
 }
 
 TEST_F(Bench, AFloatIsWrittenWithTheMassOfTheWaterThatItsOutsideDisplaces) {
-  const BenchAnswer a = bench(fmt::format("{} --problem float --set problem.draft=60% --json {} --mesh {}", bird,
-                                     file("r.json"), file("part.stl")));
+  const BenchAnswer a = bench(fmt::format("{} --problem float --set problem.draft=60% --json {} --mesh {}",
+                                          bird, file("r.json"), file("part.stl")));
   ASSERT_EQ(a.code, 0) << a.out;
   EXPECT_NE(a.out.find("  possible   at this draft with a material of"), std::string::npos) << a.out;
   EXPECT_EQ(a.out.find("  infeasible "), std::string::npos) << a.out;
@@ -209,8 +141,9 @@ TEST_F(Bench, AFloatThatIsTooHeavyEndsWithThreeAndSaysWhatIsOutOfReach) {
 }
 
 TEST_F(Bench, TheSteepestTiltIsASequenceOfSolves) {
-  const BenchAnswer a = bench(fmt::format("{} --problem stand --set problem.target=max-tilt --json {} --mesh {}",
-                                     bird, file("r.json"), file("part.stl")));
+  const BenchAnswer a =
+      bench(fmt::format("{} --problem stand --set problem.target=max-tilt --json {} --mesh {}", bird,
+                        file("r.json"), file("part.stl")));
   ASSERT_EQ(a.code, 0) << a.out;
   const auto json = json_of(file("r.json"));
   EXPECT_GT(json.at("steps"), 1);

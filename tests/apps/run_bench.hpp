@@ -15,10 +15,11 @@ struct BenchAnswer {
   std::string out;  ///< standard output and error together
 };
 
-inline BenchAnswer bench(const std::string& arguments) {
+/// Runs a line of shell.
+inline BenchAnswer shell(const std::string& line) {
   // PoCL and its LLVM keep memory until the end: not what these tests are about.
   const std::string command =
-      fmt::format("ASAN_OPTIONS=detect_leaks=0 '{}' {} 2>&1 </dev/null", KREISEL_BENCH, arguments);
+      fmt::format("export ASAN_OPTIONS=detect_leaks=0\n( {}\n) 2>&1 </dev/null", line);
   std::FILE* pipe = popen(command.c_str(), "r");
   BenchAnswer answer{-1, {}};
   std::array<char, 4096> block;
@@ -27,6 +28,11 @@ inline BenchAnswer bench(const std::string& arguments) {
   const int status = pclose(pipe);
   answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return answer;
+}
+
+/// @param before  shell ahead of the program's name: variables, or commands that end in ;
+inline BenchAnswer bench(const std::string& arguments, const std::string& before = "") {
+  return shell(fmt::format("{} '{}' {}", before, KREISEL_BENCH, arguments));
 }
 
 }  // namespace kreisel

@@ -1,8 +1,10 @@
 #include "record/record.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -33,6 +35,7 @@ RunResult made_by_hand() {
   r.provenance.device_fp64 = true;
   r.provenance.started = "2024-05-06T07:08:09Z";
   r.body_name = "ellipsoid";
+  r.repairs = {"merged 4 equal vertices", "turned 1 inside-out shell"};
   r.frame.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   r.frame.origin = {1, 2, 3};
   r.frame.length = r.length_mm = 30;
@@ -136,6 +139,8 @@ TEST_F(Record, GivesBackWhatWasWritten) {
   EXPECT_EQ(s.commit, "0123abc-dirty");
   EXPECT_EQ(s.device, "pocl-Gerät");
   EXPECT_EQ(s.started, "2024-05-06T07:08:09Z");
+  EXPECT_EQ(hdf5::File::open(path).group("body").text("repairs"),
+            "merged 4 equal vertices\nturned 1 inside-out shell");
 }
 
 TEST_F(Record, KeepsTablesWithTheirShapes) {
@@ -216,6 +221,28 @@ TEST_F(Record, LeavesNothingBehindWhenItCannotBeWritten) {
   EXPECT_EQ(files(), 2u);
 }
 
+/// The library itself does not survive a write that fails.
+TEST_F(Record, OnAFullDiskTheEarlierOneStaysAlone) {
+  RunResult r = made_by_hand();
+  const fs::path path = folder_.path / "run.h5";
+  write_record(path, r);
+  r.outcome.iterations = 77;
+  const auto write_without_room = [&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{1024, 1024};  // bytes a file
+    setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+      write_record(path, r);
+    } catch (const InputError& e) {
+      std::exit(std::string(e.what()).find("expected room") != std::string::npos ? 0 : 1);
+    }
+    std::exit(2);
+  };
+  EXPECT_EXIT(write_without_room(), ::testing::ExitedWithCode(0), "");
+  EXPECT_EQ(files(), 1u);
+  EXPECT_EQ(read_record(path).iterations, 2);
+}
+
 TEST_F(Record, RefusesWhatIsNoRecord) {
   EXPECT_NE(refusal(folder_.path / "absent.h5").find("expected an HDF5 file"), std::string::npos);
   std::ofstream(folder_.path / "text.h5") << "text";
@@ -229,6 +256,7 @@ TEST_F(Record, OfANewerSchemaIsRefused) {
     auto file = hdf5::File::create(folder_.path / "newer.h5");
     file.set("schema", "kreisel run");
     file.set("schema_version", record_schema_version + 1);
+    file.close();
   }
   EXPECT_NE(refusal(folder_.path / "newer.h5").find("newer program"), std::string::npos);
 }
@@ -243,6 +271,7 @@ TEST(RecordJson, HasTheDocumentedNames) {
   const RunResult r = made_by_hand();
   const nlohmann::json j = to_json(r);
   EXPECT_EQ(j.at("model"), "ellipsoid");
+  EXPECT_EQ(j.at("repairs"), (nlohmann::json{"merged 4 equal vertices", "turned 1 inside-out shell"}));
   EXPECT_EQ(j.at("problem"), "spin");
   EXPECT_EQ(j.at("formulation"), "rayrep");
   EXPECT_EQ(j.at("solver"), "ipopt");
