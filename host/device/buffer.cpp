@@ -80,14 +80,15 @@ cl::Buffer upload_words(Device& device, std::span<const std::uint32_t> words) {
   });
 }
 
-PartialRows::PartialRows(Device& device, std::size_t elements)
+PartialRows::PartialRows(Device& device, std::size_t elements, std::size_t sums)
     : device_(&device),
       block_(static_cast<int>(block_for(elements))),
       groups_((elements + block_ - 1) / block_),
+      sums_(sums),
       buffer_(checked("allocating partial sums", [&] {
         // An accumulator of single precision is a pair of floats: the size of a double.
         return cl::Buffer(device.context(), CL_MEM_WRITE_ONLY,
-                          std::max<std::size_t>(groups_, 1) * 10 * sizeof(double));
+                          std::max<std::size_t>(groups_, 1) * sums_ * sizeof(double));
       })) {}
 
 void PartialRows::run(const cl::Kernel& kernel) const {
@@ -95,23 +96,23 @@ void PartialRows::run(const cl::Kernel& kernel) const {
   device_->run(kernel, groups_ * items, items);
 }
 
-std::array<double, 10> PartialRows::join() const {
-  std::array<double, 10> sum{};
+std::vector<double> PartialRows::join() const {
+  std::vector<double> sum(sums_);
   if (groups_ == 0) return sum;
   const auto read = [&](auto& rows) {
     checked("reading partial sums", [&] {
-      device_->queue().enqueueReadBuffer(buffer_, CL_TRUE, 0, groups_ * 10 * sizeof(double), rows.data());
+      device_->queue().enqueueReadBuffer(buffer_, CL_TRUE, 0, groups_ * sums_ * sizeof(double), rows.data());
     });
   };
   if (device_->single()) {
-    std::vector<std::array<float, 2>> rows(groups_ * 10);
+    std::vector<std::array<float, 2>> rows(groups_ * sums_);
     read(rows);
     for (std::size_t i = 0; i < rows.size(); ++i)
-      sum[i % 10] += static_cast<double>(rows[i][0]) + static_cast<double>(rows[i][1]);
+      sum[i % sums_] += static_cast<double>(rows[i][0]) + static_cast<double>(rows[i][1]);
   } else {
-    std::vector<double> rows(groups_ * 10);
+    std::vector<double> rows(groups_ * sums_);
     read(rows);
-    for (std::size_t i = 0; i < rows.size(); ++i) sum[i % 10] += rows[i];
+    for (std::size_t i = 0; i < rows.size(); ++i) sum[i % sums_] += rows[i];
   }
   return sum;
 }

@@ -1,7 +1,6 @@
 // buffer.hpp - device arrays that the host sees in double, and the join of partial moment rows.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -41,10 +40,10 @@ class RealBuffer {
 /// A constant array of 32-bit words, padded with zeros.
 cl::Buffer upload_words(Device& device, std::span<const std::uint32_t> words);
 
-/// Rows of ten partial sums, one a work-group, as reduce10.h writes them.
+/// Rows of partial sums, one a work-group, as reduce10.h writes them.
 class PartialRows {
  public:
-  PartialRows(Device& device, std::size_t elements);
+  PartialRows(Device& device, std::size_t elements, std::size_t sums = 10);
 
   [[nodiscard]] int block() const { return block_; }  ///< elements a work-group sums
   [[nodiscard]] std::size_t groups() const { return groups_; }
@@ -53,8 +52,8 @@ class PartialRows {
   /// Runs a kernel that writes these rows.
   void run(const cl::Kernel& kernel) const;
 
-  /// The ten sums: rows added in order, in double.
-  [[nodiscard]] std::array<double, 10> join() const;
+  /// The sums: rows added in order, in double.
+  [[nodiscard]] std::vector<double> join() const;
 
   /// |computed - exact| <= summation_bound() * sum of |terms|, for terms given exactly: the longest chain of
   /// additions times the unit roundoff, or what compensation leaves of it (kernels/real.h).
@@ -63,7 +62,7 @@ class PartialRows {
  private:
   Device* device_;
   int block_;
-  std::size_t groups_;
+  std::size_t groups_, sums_;
   cl::Buffer buffer_;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "error.hpp"
+#include "formulation/quadric.hpp"
 #include "formulation/rayrep.hpp"
 #include "formulation/voxel.hpp"
 #include "unknown_name.hpp"
@@ -25,10 +26,21 @@ std::vector<double> Formulation::start(Start where) const {
   return x;
 }
 
+void Formulation::warm_up() {
+  const std::vector<double> x = start(Start::middle);
+  std::vector<double> out(x.size());
+  const Moments weight = Moments::Ones();
+  (void)moments(x);
+  pull_back(x, {&weight, 1}, out);
+  curvature(x, weight, out);
+}
+
 const std::vector<FormulationEntry>& formulations() {
   static const std::vector<FormulationEntry> all = {
       {"voxel", "one fill in [0,1] an interior voxel", make_voxel},
       {"rayrep", "one solid segment [z0,z1] a ray [RayRep, s. 2-3]", make_rayrep},
+      {"quadric", "solid where a quadric is negative: ten coefficients, exact at the optimum (docs/quadric.md)",
+       make_quadric},
   };
   return all;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "domain/columns.hpp"
+#include "formulation/support_oracle.hpp"
 #include "formulation/voxel_set.hpp"
 #include "problem/problem.hpp"
 
@@ -68,6 +69,12 @@ class Formulation {
   [[nodiscard]] virtual Rounded round(std::span<const double> x) const = 0;
 
   [[nodiscard]] virtual std::vector<double> start(Start where) const;
+
+  /// The domain's support function, of a formulation that works on it; else nullptr.
+  [[nodiscard]] virtual SupportOracle* oracle() { return nullptr; }
+
+  /// Runs every kernel once, so that no timed solve pays for compiling.
+  virtual void warm_up();
 };
 
 /// Settings of a formulation, from `--set formulation.NAME=VALUE`.

@@ -29,16 +29,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// Every kernel of the formulation once, so that no timed solve pays for compiling.
-void warm_up(Formulation& formulation) {
-  const std::vector<double> x = formulation.start(Start::middle);
-  std::vector<double> out(x.size());
-  const Moments weight = Moments::Ones();
-  (void)formulation.moments(x);
-  formulation.pull_back(x, {&weight, 1}, out);
-  formulation.curvature(x, weight, out);
-}
-
 double median(std::vector<double> values) {
   std::ranges::sort(values);
   const std::size_t n = values.size();
@@ -124,7 +114,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   const MassModel mass = hollowed(body, domain.interior);
   const std::unique_ptr<Formulation> formulation =
       way.make(domain, problem->traits(), settings_of(config, "formulation"), device);
-  warm_up(*formulation);
+  formulation->warm_up();
   stop_if_interrupted();
   const double setup_seconds = setup.seconds();
 

@@ -174,7 +174,7 @@ TEST_P(RealBufferOn, UpdateSendsWhatDiffersFromTheLastUpdate) {
 TEST_P(RealBufferOn, PartialRowsOfNothingSumToZeroAndLaunchNothing) {
   const device::PartialRows rows(device(), 0);
   EXPECT_EQ(rows.groups(), 0u);
-  EXPECT_EQ(rows.join(), (std::array<double, 10>{}));
+  EXPECT_EQ(rows.join(), std::vector<double>(10));
 }
 
 TEST_P(RealBufferOn, PartialRowsCoverEveryElementWithWholeWorkGroups) {
