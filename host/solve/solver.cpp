@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "parse.hpp"
 #include "solve/ipopt.hpp"
+#include "solve/moment.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel {
@@ -63,6 +64,9 @@ const std::vector<SolverEntry>& solvers() {
        "interior point: lifted exact Hessian, or L-BFGS (ipopt.hessian_approximation=limited-memory)",
        solve_with_ipopt,
        {"voxel", "rayrep"}},
+      {"moment", "sequential quadratic programming and Newton's method in the ten moments (docs/quadric.md)",
+       solve_with_moments,
+       {"quadric"}},
   };
   return all;
 }

@@ -43,6 +43,7 @@ struct Outcome {
   double objective = 0;                                ///< f(moments)
   double violation = 0;                                ///< largest constraint violation at `moments`
   double dual_infeasibility = 0, complementarity = 0;  ///< of the problem as it is posed, unscaled
+  std::vector<double> multipliers;                     ///< of the constraints, where the solver gives them
   double kernel_seconds = 0, solve_seconds = 0;        ///< the first is part of the second
   Evaluations evaluations;
   std::vector<Iterate> history;

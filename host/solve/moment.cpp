@@ -1,0 +1,251 @@
+#include "solve/moment.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "error.hpp"
+#include "parse.hpp"
+#include "solve/dual.hpp"
+
+namespace kreisel {
+namespace {
+
+struct MomentOptions {
+  double tolerance = 1e-13;
+  int levels = std::numeric_limits<int>::max();
+};
+
+MomentOptions parse_options(const std::map<std::string, std::string>& own) {
+  MomentOptions options;
+  for (const auto& [name, text] : own) {
+    const double value = parse<double>(text).value_or(-1);
+    if (name == "tolerance" && value > 0)
+      options.tolerance = value;
+    else if (name == "levels" && value >= 1 && value == std::floor(value))
+      options.levels = static_cast<int>(value);
+    else
+      throw InputError(
+          fmt::format("moment.{} = {}; expected tolerance > 0 or levels >= 1, whole", name, text));
+  }
+  return options;
+}
+
+/// Where the solver is: moments, the multipliers of its rows, and the quadric they make.
+struct State {
+  Moments s = Moments::Zero();
+  Eigen::VectorXd multipliers;
+  std::vector<bool> active;
+  Moments q = Moments::Zero();
+  double residual = std::numeric_limits<double>::infinity();  ///< of s = s(q) and of the rows
+};
+
+enum class Phase { going_on, converged, infeasible, stalled, interrupted };
+
+class Search {
+ public:
+  Search(const Problem& problem, TotalSupport& oracle, double tolerance, std::vector<Iterate>& history)
+      : problem_(problem),
+        oracle_(oracle),
+        rows_(rows_of(problem.constraints(), problem.goal() == Goal::margin)),
+        tolerance_(tolerance),
+        history_(history) {}
+
+  /// From `state` to the optimum. @param known  `state` comes from a coarser level: Newton first
+  Phase run(State& state, bool known);
+
+ private:
+  [[nodiscard]] bool margin() const { return problem_.goal() == Goal::margin; }
+  Phase model_step(State& state, bool first);
+  Phase newton(State& state);
+  void note(const State& state, int trials);
+
+  const Problem& problem_;
+  TotalSupport& oracle_;
+  Rows rows_;
+  double tolerance_;
+  std::vector<Iterate>& history_;
+};
+
+void Search::note(const State& state, int trials) {
+  history_.push_back({static_cast<int>(history_.size()), problem_.value(state.s), rows_.violation(state.s),
+                      state.residual, 0, 0, trials});
+}
+
+/// Minimises the convex part of f's quadratic model over all attainable moments that meet the rows, and goes
+/// from s towards the minimiser as far as f falls. Between attainable moments lie attainable moments, so that
+/// costs no pass over the rays.
+Phase Search::model_step(State& state, bool first) {
+  Model model;
+  model.margin = margin();
+  if (!margin()) {
+    model.linear = problem_.gradient(state.s);
+    const Eigen::SelfAdjointEigenSolver<Matrix10> modes(problem_.hessian(state.s));
+    std::vector<Eigen::Index> convex;
+    for (Eigen::Index i = 0; i < 10; ++i)
+      if (modes.eigenvalues()[i] > 1e-10 * modes.eigenvalues().cwiseAbs().maxCoeff()) convex.push_back(i);
+    const auto count = static_cast<Eigen::Index>(convex.size());
+    model.factor.resize(10, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Eigen::Index mode = convex[static_cast<std::size_t>(i)];
+      model.factor.col(i) = modes.eigenvectors().col(mode) * std::sqrt(modes.eigenvalues()[mode]);
+    }
+    model.target = model.factor.transpose() * state.s;
+  }
+  // A model need not be solved better than it describes f; the last steps belong to newton().
+  const bool exact = margin() || problem_.hessian(state.s).isZero();
+  const double tolerance = exact ? tolerance_ : std::clamp(1e-3 * state.residual, tolerance_, 1e-6);
+  const DualPoint point = minimise_model(oracle_, model, rows_, state.multipliers, tolerance);
+  if (point.ending == DualPoint::infeasible) {
+    state.q = rows_.matrix.transpose() * point.multipliers;
+    state.s = point.s;
+    state.multipliers = point.multipliers;
+    return Phase::infeasible;
+  }
+  if (point.ending == DualPoint::interrupted) return Phase::interrupted;
+  const Moments step = point.s - state.s;
+  double alpha = 1;
+  int trials = 1;
+  if (!first && !exact) {
+    const double f = problem_.value(state.s), slope = model.linear.dot(step);
+    while (trials < 40 && !(problem_.value(state.s + alpha * step) <= f + 1e-4 * alpha * std::min(slope, 0.0)))
+      alpha /= 2, ++trials;
+  }
+  state.s += alpha * step;
+  state.multipliers = point.multipliers;
+  state.active = point.active;
+  state.q = point.q;
+  state.residual = exact ? point.residual : step.lpNorm<Eigen::Infinity>();
+  note(state, trials);
+  if (exact) return state.residual <= 1e3 * tolerance_ ? Phase::converged : Phase::stalled;
+  return Phase::going_on;
+}
+
+/// Newton's method on s = s(grad f(s) + rows^T multipliers) and the active rows, all at once; ends when it no
+/// longer halves the residual. Changes `state` only for the better.
+Phase Search::newton(State& state) {
+  std::vector<Eigen::Index> active;
+  for (Eigen::Index i = 0; i < rows_.size(); ++i)
+    if (state.active.empty() || state.active[static_cast<std::size_t>(i)]) active.push_back(i);
+  const auto m = static_cast<Eigen::Index>(active.size());
+  const Eigen::Matrix<double, Eigen::Dynamic, 10> c = rows_.matrix(active, Eigen::all);
+  const Eigen::VectorXd b = rows_.bound(active);
+  Moments s = state.s;
+  Eigen::VectorXd mu = state.multipliers.size() ? Eigen::VectorXd(state.multipliers(active))
+                                                : Eigen::VectorXd::Zero(m);
+  double before = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < 30; ++step) {
+    const Moments q = problem_.gradient(s) + c.transpose() * mu;
+    const Support support = oracle_(q, true);
+    Eigen::VectorXd rest(10 + m);
+    rest << s - support.moments, c * s - b;
+    // What counts is the part the quadric cuts, so the rows are judged there as well.
+    const double missed = m ? (c * support.moments - b).lpNorm<Eigen::Infinity>() : 0;
+    const double residual = std::max(rest.lpNorm<Eigen::Infinity>(), missed);
+    bool fits = support.moments.allFinite();
+    for (Eigen::Index i = 0; i < m; ++i)
+      fits = fits && (rows_.equality[static_cast<std::size_t>(active[static_cast<std::size_t>(i)])] || mu[i] >= 0);
+    if (fits && residual < state.residual) {
+      state.s = support.moments;
+      state.q = q;
+      state.residual = residual;
+      state.multipliers.setZero(rows_.size());
+      state.multipliers(active) = mu;
+      note(state, 1);
+    }
+    if (residual <= tolerance_) break;
+    if (!(residual < 0.5 * before) && step > 0) break;
+    before = residual;
+    Eigen::MatrixXd system(10 + m, 10 + m);
+    system << Matrix10::Identity() - support.hessian * problem_.hessian(s), -support.hessian * c.transpose(), c,
+        Eigen::MatrixXd::Zero(m, m);
+    // Of least norm, for a symmetric body leaves multipliers undetermined.
+    const Eigen::VectorXd d = system.completeOrthogonalDecomposition().solve(-rest);
+    s += d.head<10>();
+    mu += d.tail(m);
+  }
+  // Round-off: a sum over the rays keeps some thousand units of its last digit.
+  return state.residual <= 1e3 * tolerance_ && rows_.violation(state.s) <= 1e3 * tolerance_ ? Phase::converged
+                                                                                            : Phase::going_on;
+}
+
+Phase Search::run(State& state, bool known) {
+  constexpr int most_steps = 200;
+  for (int step = 0; step < most_steps; ++step) {
+    if (known || state.residual < 3e-2) {
+      const Phase phase = margin() ? Phase::going_on : newton(state);
+      if (phase == Phase::converged) return phase;
+    }
+    const Phase phase = model_step(state, step == 0 && !known);
+    known = false;
+    if (phase != Phase::going_on) return phase;
+  }
+  return Phase::stalled;
+}
+
+}  // namespace
+
+Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
+  const MomentOptions own = parse_options(options.own);
+  SupportOracle& domain = *task.formulation.oracle();
+  const Problem& problem = task.problem;
+  Outcome outcome;
+  outcome.settings = {{"tolerance", fmt::format("{:g}", own.tolerance)}};
+  task.device.reset_kernel_seconds();
+  const auto begin = std::chrono::steady_clock::now();
+
+  State state;
+  Phase phase = Phase::stalled;
+  bool known = false;
+  const int levels = std::min(own.levels, domain.levels());
+  for (int level = levels - 1; level >= 0; --level) {
+    TotalSupport oracle(domain, task.mass, level);
+    Search search(problem, oracle, level == 0 ? own.tolerance : 1e-8, outcome.history);
+    if (!known) {
+      state = {};
+      state.s = oracle(-Moments::Unit(S1), false).moments;  // solid
+    }
+    state.residual = std::numeric_limits<double>::infinity();
+    phase = search.run(state, known);
+    known = phase == Phase::converged;
+    outcome.evaluations.objective += oracle.passes();
+    outcome.evaluations.hessian += oracle.hessian_passes();
+    if (phase == Phase::interrupted) break;
+  }
+
+  const Moments x = state.q / std::max(state.q.cwiseAbs().maxCoeff(), 1e-300);
+  outcome.x.assign(x.data(), x.data() + 10);
+  outcome.moments = task.mass.total(task.formulation.moments(outcome.x));
+  outcome.objective = problem.value(outcome.moments);
+  outcome.violation = violation(problem, outcome.moments);
+  outcome.dual_infeasibility = state.residual;
+  outcome.multipliers.assign(state.multipliers.begin(), state.multipliers.end());
+  outcome.iterations = static_cast<int>(outcome.history.size());
+  outcome.solve_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  outcome.kernel_seconds = task.device.kernel_seconds();
+  switch (phase) {
+    case Phase::converged:
+      outcome.termination = Termination::optimal;
+      outcome.message = fmt::format("converged, residual {:.1e}", state.residual);
+      break;
+    case Phase::infeasible:
+      outcome.termination = Termination::infeasible;
+      outcome.message = "a quadric separates the constraints from all fillings";
+      break;
+    case Phase::interrupted:
+      outcome.termination = Termination::interrupted;
+      outcome.message = "stopped by the user";
+      break;
+    default:
+      outcome.termination = state.residual <= 1e-6 ? Termination::acceptable : Termination::failed;
+      outcome.message = fmt::format("no further progress, residual {:.1e}", state.residual);
+  }
+  return outcome;
+}
+
+}  // namespace kreisel
