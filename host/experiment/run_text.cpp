@@ -18,7 +18,7 @@ std::string model_text(const RunConfig& config) {
 
 std::string run_text(const RunConfig& config) {
   return fmt::format("{} {} {} {}", model_text(config), grid_text(config.grid), config.formulation,
-                     config.solver);
+                     solver_of(config));
 }
 
 }  // namespace kreisel

@@ -112,7 +112,7 @@ std::string settings_text(const Group& group, const RecordedRun* Row::*side) {
   for (const Row& row : group.rows) {
     if (!(row.*side)) continue;
     const RunConfig& config = (row.*side)->run.config;
-    std::string text = config.solver;
+    std::string text = solver_of(config);
     for (const auto& [name, value] : config.settings) text += fmt::format(", {}={}", name, value);
     distinct.insert(text);
   }

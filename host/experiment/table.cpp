@@ -83,7 +83,7 @@ Tables runs_tables(const std::vector<RecordedRun>& runs, const std::optional<Pub
     const RunConfig& config = run.run.config;
     const SolveCells solve(run);
     sheet.add({run.run.label, model_text(config), grid_text(run), config.problem, config.formulation,
-               config.solver, solve.variables, solve.iterations, termination_text(run), solve.seconds,
+               solver_of(config), solve.variables, solve.iterations, termination_text(run), solve.seconds,
                solve.half_iqr, solve.samples, solve.objective, solve.violation, solve.verified, solve.device,
                solve.commit, run.record ? run.record->error : ""});
     errors += note_of(run, false);

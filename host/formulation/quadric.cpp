@@ -93,7 +93,8 @@ class Quadric final : public Formulation, public SupportOracle {
         const double pz = grid.centre(2, k);
         Moments t;
         t << 1, px, py, pz, px * py, py * pz, px * pz, px * px + hh, py * py + hh, pz * pz;
-        if (q.dot(t) < 0) rounded.solid.set(rounded.solid.first(i) + static_cast<std::size_t>(k - run.k0), true);
+        if (q.dot(t) < 0)
+          rounded.solid.set(rounded.solid.first(i) + static_cast<std::size_t>(k - run.k0), true);
       }
     }
     rounded.mended = make_well_composed(rounded.solid);

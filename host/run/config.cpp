@@ -20,7 +20,7 @@
 namespace kreisel {
 namespace {
 
-constexpr std::array<std::string_view, 4> groups = {"ipopt", "problem", "formulation", "solver"};
+constexpr std::array<std::string_view, 5> groups = {"ipopt", "moment", "problem", "formulation", "solver"};
 
 [[noreturn]] void refuse(std::string_view key, std::string_view value, std::string_view expected) {
   throw InputError(fmt::format("{} = '{}'; expected {}", key, value, expected));
@@ -151,8 +151,12 @@ bool is_field(std::string_view key) { return is_setting(key) || setters().contai
 std::vector<std::string_view> field_names() {
   std::vector<std::string_view> names;
   for (const auto& [name, setter] : setters()) names.push_back(name);
-  names.insert(names.end(), {"ipopt.NAME", "problem.NAME", "formulation.NAME", "solver.NAME"});
+  names.insert(names.end(), {"ipopt.NAME", "moment.NAME", "problem.NAME", "formulation.NAME", "solver.NAME"});
   return names;
+}
+
+std::string solver_of(const RunConfig& config) {
+  return std::string(config.solver.empty() ? default_solver(config.formulation).name : config.solver);
 }
 
 std::map<std::string, std::string> settings_of(const RunConfig& config, std::string_view group) {
@@ -168,7 +172,7 @@ std::map<std::string, std::string> describe(const RunConfig& config) {
   fields["model"] = config.body.model;
   fields["problem"] = config.problem;
   fields["formulation"] = config.formulation;
-  fields["solver"] = config.solver;
+  fields["solver"] = solver_of(config);
   fields["resolution"] = text_of(config.grid);
   fields["wall"] = to_string(config.wall);
   fields["density"] = fmt::format("{}", config.body.density);
@@ -187,7 +191,7 @@ std::map<std::string, std::string> describe(const RunConfig& config) {
 std::string run_name(const RunConfig& config) {
   const auto fields = describe(config);
   return fmt::format("{}-{}-{}-{}-{}-{:08x}", std::filesystem::path(config.body.model).stem().string(),
-                     fields.at("resolution"), config.problem, config.formulation, config.solver,
+                     fields.at("resolution"), config.problem, config.formulation, solver_of(config),
                      static_cast<std::uint32_t>(hash(fields) ^ hash(fields) >> 32));
 }
 

@@ -17,14 +17,15 @@ enum class Rounding { nearest, fitted };
 /// One run. Defaults are those of `bench --formulation rayrep`.
 struct RunConfig {
   BodySpec body;
-  std::string problem = "spin", formulation = "rayrep", solver = "ipopt";
+  std::string problem = "spin", formulation = "rayrep";
+  std::string solver;  ///< empty: the first that works with the formulation, see solver_of()
   GridSpec grid;
   Wall wall;
   Rounding rounding = Rounding::fitted;
   std::string device;             ///< selector, see device.hpp
   bool single_precision = false;  ///< forces the kernels to compensated single precision
   std::map<std::string, std::string>
-      settings;                ///< `--set GROUP.NAME=VALUE`; groups: ipopt problem formulation solver
+      settings;                ///< `--set GROUP.NAME=VALUE`; groups: ipopt moment problem formulation solver
   int repeat = 1;              ///< timed solves at most, >= 1
   double budget_seconds = 20;  ///< no further repetition starts once this is spent
 };
@@ -35,6 +36,9 @@ struct RunConfig {
 ///
 /// @throws InputError  unknown key or unfit value; names both and what was expected
 void set_field(RunConfig& config, std::string_view key, std::string_view value);
+
+/// The solver that is asked for, or else the first that works with the formulation.
+[[nodiscard]] std::string solver_of(const RunConfig& config);
 
 /// The settings of one group, without its prefix.
 [[nodiscard]] std::map<std::string, std::string> settings_of(const RunConfig& config, std::string_view group);

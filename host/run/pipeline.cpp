@@ -96,9 +96,9 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   // What needs no work is checked first, so that a typing error costs no time.
   const ProblemEntry& asked = find_problem(config.problem);
   const FormulationEntry& way = find_formulation(config.formulation);
-  const SolverEntry& solver = find_solver(config.solver, way.name);
+  const SolverEntry& solver = find_solver(solver_of(config), way.name);
   SolverOptions options = parse_solver_options(settings_of(config, "solver"));
-  options.own = settings_of(config, config.solver);
+  options.own = settings_of(config, solver.name);
   device::Device device(config.device,
                         config.single_precision ? device::Precision::single : device::Precision::automatic);
 
@@ -121,6 +121,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   RunOutput output;
   RunResult& r = output.result;
   r.config = config;
+  r.config.solver = solver.name;
   r.provenance = make_provenance(device);
   r.body_name = body.name;
   r.repairs = body.repairs;

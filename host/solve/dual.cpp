@@ -59,27 +59,20 @@ namespace {
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
-/// The dual as a function of v = (p, multipliers of the rows in play).
+/// The dual as a function of v = (p, multipliers).
 class Dual {
  public:
-  Dual(TotalSupport& oracle, const Model& model, const Rows& rows, std::vector<Eigen::Index> in_play)
-      : oracle_(oracle), model_(model), rows_(rows), in_play_(std::move(in_play)) {
-    const auto m = static_cast<Eigen::Index>(in_play_.size());
-    forms_.resize(10, squares() + m);
-    forms_.leftCols(squares()) = model.factor;
-    offsets_.resize(squares() + m);
-    offsets_.head(squares()) = model.target;
-    for (Eigen::Index i = 0; i < m; ++i) {
-      forms_.col(squares() + i) = rows.matrix.row(in_play_[static_cast<std::size_t>(i)]).transpose();
-      offsets_[squares() + i] = rows.bound[in_play_[static_cast<std::size_t>(i)]];
-    }
+  Dual(TotalSupport& oracle, const Model& model, const Rows& rows)
+      : oracle_(oracle),
+        model_(model),
+        forms_(10, model.factor.cols() + rows.size()),
+        offsets_(forms_.cols()) {
+    forms_ << model.factor, rows.matrix.transpose();
+    offsets_ << model.target, rows.bound;
   }
 
   [[nodiscard]] Eigen::Index squares() const { return model_.factor.cols(); }
   [[nodiscard]] Eigen::Index size() const { return forms_.cols(); }
-  [[nodiscard]] const std::vector<Eigen::Index>& in_play() const { return in_play_; }
-  [[nodiscard]] const Model& model() const { return model_; }
-  [[nodiscard]] const Rows& rows() const { return rows_; }
 
   struct Value {
     Moments q;
@@ -113,8 +106,6 @@ class Dual {
  private:
   TotalSupport& oracle_;
   const Model& model_;
-  const Rows& rows_;
-  std::vector<Eigen::Index> in_play_;
   Matrix forms_;
   Vector offsets_;
 };
@@ -127,166 +118,218 @@ struct Newton {
   enum { converged, stalled, separated, interrupted } ending = stalled;
 };
 
-/// Maximises the dual plus barrier * sum of log v_i over inequalities, by Newton's method from v. Without
-/// barrier every multiplier is free.
-Newton maximise(Dual& dual, Vector v, double barrier, double tolerance, int most_steps) {
-  const Eigen::Index n = dual.size(), squares = dual.squares();
-  const auto bounded = [&](Eigen::Index i) {
-    return barrier > 0 && i >= squares &&
-           !dual.rows().equality[static_cast<std::size_t>(
-               dual.in_play()[static_cast<std::size_t>(i - squares)])];
-  };
-  // A margin's multipliers sum to one, and so they stay: one more row and column, whose unknown is t.
-  const Eigen::Index more = dual.model().margin ? 1 : 0;
-  const auto gradient_at = [&](const Vector& at, const Dual::Value& value) {
-    Vector g = value.gradient;
-    for (Eigen::Index i = squares; i < n; ++i)
-      if (bounded(i)) g[i] += barrier / at[i];
-    return g;
-  };
-  Newton out;
-  out.v = std::move(v);
-  out.value = dual.at(out.v);
-  double best = std::numeric_limits<double>::infinity();
-  int without_progress = 0;
-  double checked = 10;  // size of the multipliers when they were last asked whether they separate
-  for (int step = 0;; ++step) {
-    const Vector g = gradient_at(out.v, out.value);
+/// Maximises the dual over multipliers >= 0 of inequalities, any of equalities, and, for a margin, of sum
+/// one, by Newton's method in those that are not held at zero. [Bertsekas 1982, Projected Newton methods]
+class Maximiser {
+ public:
+  Maximiser(Dual& dual, const Rows& rows, bool margin, double tolerance)
+      : dual_(dual), margin_(margin), tolerance_(tolerance), bounded_(static_cast<std::size_t>(dual.size())) {
+    for (Eigen::Index i = 0; i < rows.size(); ++i)
+      bounded_[static_cast<std::size_t>(dual.squares() + i)] = !rows.equality[static_cast<std::size_t>(i)];
+  }
+
+  Newton run(Vector v);
+
+ private:
+  [[nodiscard]] bool bounded(Eigen::Index i) const { return bounded_[static_cast<std::size_t>(i)]; }
+  /// The Newton step in the components that are not held; `held` grows by those that it would drive below 0.
+  Vector step(const Newton& at, std::vector<bool>& held);
+  /// How far to go along d, at most `most`; moves `at`.
+  void search(Newton& at, const Vector& d, double most);
+
+  Dual& dual_;
+  bool margin_;
+  double tolerance_;
+  std::vector<bool> bounded_;
+};
+
+Vector Maximiser::step(const Newton& at, std::vector<bool>& held) {
+  const Matrix hessian = dual_.hessian(at.value);
+  for (;;) {
+    std::vector<Eigen::Index> free;
+    for (Eigen::Index i = 0; i < dual_.size(); ++i)
+      if (!held[static_cast<std::size_t>(i)]) free.push_back(i);
+    const auto n = static_cast<Eigen::Index>(free.size());
+    // A margin's multipliers keep their sum: one more row and column.
+    const Eigen::Index more = margin_ ? 1 : 0;
     Matrix system = Matrix::Zero(n + more, n + more);
-    system.topLeftCorner(n, n) = -dual.hessian(out.value);
-    for (Eigen::Index i = squares; i < n; ++i)
-      if (bounded(i)) system(i, i) += barrier / (out.v[i] * out.v[i]);
+    system.topLeftCorner(n, n) = -hessian(free, free);
     // Directions in which no ray ends are flat: a little of the largest curvature keeps the step finite.
-    const double damping = std::max(n ? 1e-14 * system.diagonal().head(n).maxCoeff() : 0.0, 1e-12);
-    system.diagonal().head(n).array() += damping;
+    system.diagonal().head(n).array() += std::max(n ? 1e-14 * system.diagonal().maxCoeff() : 0.0, 1e-12);
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (more && free[static_cast<std::size_t>(i)] >= dual_.squares()) system(i, n) = system(n, i) = 1;
     Vector right = Vector::Zero(n + more);
-    right.head(n) = g;
-    if (more) {
-      system.row(n).segment(squares, n - squares).setOnes();
-      system.col(n).segment(squares, n - squares).setOnes();
+    right.head(n) = at.value.gradient(free);
+    const Vector solution =
+        more ? Vector(system.fullPivLu().solve(right)) : Vector(system.ldlt().solve(right));
+    Vector d = Vector::Zero(dual_.size());
+    d(free) = solution.head(n);
+    bool again = false;
+    for (Eigen::Index i = 0; i < dual_.size(); ++i)
+      if (bounded(i) && at.v[i] == 0 && d[i] < 0) held[static_cast<std::size_t>(i)] = again = true;
+    if (!again) return d;
+  }
+}
+
+void Maximiser::search(Newton& at, const Vector& d, double most) {
+  // The dual is concave: a step after which it still rises has gained, one after which it falls less steeply
+  // than it rose before is good enough. Slopes keep their digits where values have lost them.
+  const double rise = at.value.gradient.dot(d);
+  double alpha = most;
+  constexpr int most_trials = 30;
+  for (int trial = 1;; ++trial) {
+    Vector v = at.v + alpha * d;
+    for (Eigen::Index i = 0; i < v.size(); ++i)
+      if (bounded(i) && v[i] < 1e-14 * std::abs(at.v[i])) v[i] = 0;
+    Dual::Value value = dual_.at(v);
+    const double slope = value.gradient.dot(d);
+    if (slope >= -0.5 * std::abs(rise) || trial == most_trials) {
+      at.v = std::move(v);
+      at.value = std::move(value);
+      return;
     }
-    const Vector solution = more ? Vector(system.fullPivLu().solve(right)) : Vector(system.ldlt().solve(right));
-    const Vector d = solution.head(n);
-    if (more) out.slack = solution[n];
-    // Of the optimality conditions.
-    Vector rest = g;
-    if (more) rest.tail(n - squares).array() -= out.slack;
-    out.residual = n ? rest.lpNorm<Eigen::Infinity>() : 0;
-    if (out.residual <= tolerance) {
-      out.ending = Newton::converged;
-      return out;
+    const double secant = alpha * rise / (rise - slope);
+    alpha = std::clamp(secant, 0.05 * alpha, 0.7 * alpha);
+  }
+}
+
+Newton Maximiser::run(Vector v) {
+  const Eigen::Index n = dual_.size(), squares = dual_.squares();
+  Newton at;
+  at.v = std::move(v);
+  at.value = dual_.at(at.v);
+  double best = std::numeric_limits<double>::infinity();
+  double checked = 10;  // size of the multipliers when they were last asked whether they separate
+  int without_progress = 0;
+  constexpr int most_steps = 150;
+  for (int count = 0;; ++count) {
+    const Vector& g = at.value.gradient;
+    at.slack = margin_ ? at.v.tail(n - squares).dot(g.tail(n - squares)) : 0;
+    std::vector<bool> held(static_cast<std::size_t>(n));
+    at.residual = 0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double rest = g[i] - (i >= squares ? at.slack : 0);
+      const bool hold = bounded(i) && at.v[i] == 0 && rest <= 0;
+      held[static_cast<std::size_t>(i)] = hold;
+      if (!hold) at.residual = std::max(at.residual, std::abs(rest));
+    }
+    if (at.residual <= tolerance_) {
+      at.ending = Newton::converged;
+      return at;
     }
     if (interrupted()) {
-      out.ending = Newton::interrupted;
-      return out;
+      at.ending = Newton::interrupted;
+      return at;
     }
-    without_progress = out.residual < 0.7 * best ? 0 : without_progress + 1;
-    best = std::min(best, out.residual);
-    // Round-off has been reached.
-    if (without_progress >= 4 && best < 1e3 * tolerance) return out;
-    if (step == most_steps || !d.allFinite()) return out;
+    without_progress = at.residual < 0.7 * best ? 0 : without_progress + 1;
+    best = std::min(best, at.residual);
+    const bool round_off = without_progress >= 4 && best < 1e3 * tolerance_;
+    if (round_off || count == most_steps) return at;
 
-    // No further than what is known: far out the dual may be flat.
-    const double reach = 4 * std::max(1.0, out.v.lpNorm<Eigen::Infinity>());
-    double alpha = std::min(1.0, reach / std::max(d.lpNorm<Eigen::Infinity>(), 1e-300));
+    const Vector d = step(at, held);
+    if (!d.allFinite() || d.isZero(0)) return at;
+    // No further than what is known, for far out the dual may be flat; nor below zero.
+    const double reach = 4 * std::max(1.0, at.v.lpNorm<Eigen::Infinity>());
+    double most = std::min(1.0, reach / d.lpNorm<Eigen::Infinity>());
     for (Eigen::Index i = squares; i < n; ++i)
-      if (bounded(i) && d[i] < 0) alpha = std::min(alpha, -0.95 * out.v[i] / d[i]);
-    // The dual is concave: a step after which it still rises has gained, one after which it falls less steeply
-    // than it rose before is good enough. Slopes keep their digits where values have lost them.
-    const double rise = g.dot(d);
-    double low = 0, low_slope = rise;
-    for (int trial = 0; trial < 30; ++trial) {
-      const Vector at = out.v + alpha * d;
-      const Dual::Value value = dual.at(at);
-      const double slope = gradient_at(at, value).dot(d);
-      const bool good = slope >= -0.5 * std::abs(rise) || trial == 29;
-      if (good) {
-        out.v = at;
-        out.value = value;
-        break;
-      }
-      // Between the last point where it rose and this one where it falls.
-      const double secant = low + (alpha - low) * low_slope / (low_slope - slope);
-      alpha = std::clamp(secant, low + 0.05 * (alpha - low), low + 0.7 * (alpha - low));
-    }
-    if (const double size = n > squares ? out.v.tail(n - squares).lpNorm<Eigen::Infinity>() : 0;
-        !more && size > 4 * checked) {
+      if (bounded(i) && d[i] < 0) most = std::min(most, -at.v[i] / d[i]);
+    search(at, d, most);
+    if (const double size = n > squares ? at.v.tail(n - squares).lpNorm<Eigen::Infinity>() : 0;
+        !margin_ && size > 4 * checked) {
       checked = size;
-      if (dual.separates(out.v)) {
-        out.ending = Newton::separated;
-        return out;
+      if (dual_.separates(at.v)) {
+        at.ending = Newton::separated;
+        return at;
       }
     }
   }
+}
+
+/// minimise_model() with all rows at once.
+DualPoint minimise_with(TotalSupport& oracle, const Model& model, const Rows& rows, const Vector& start,
+                        double tolerance) {
+  const Eigen::Index m = rows.size(), squares = model.factor.cols();
+  Vector v = Vector::Zero(squares + m);
+  if (start.size() == m) v.tail(m) = start;
+  for (Eigen::Index i = 0; i < m; ++i)
+    if (!rows.equality[static_cast<std::size_t>(i)]) v[squares + i] = std::max(v[squares + i], 0.0);
+  if (model.margin) {
+    const double sum = v.tail(m).sum();
+    if (sum > 0)
+      v.tail(m) /= sum;
+    else
+      v.tail(m).setConstant(1.0 / static_cast<double>(m));
+  }
+  Dual dual(oracle, model, rows);
+  const Newton newton = Maximiser(dual, rows, model.margin, tolerance).run(std::move(v));
+  DualPoint point;
+  point.q = newton.value.q;
+  point.s = newton.value.support.moments;
+  point.multipliers = newton.v.tail(m);
+  point.slack = newton.slack;
+  point.residual = newton.residual;
+  point.ending = newton.ending == Newton::converged     ? DualPoint::converged
+                 : newton.ending == Newton::separated   ? DualPoint::infeasible
+                 : newton.ending == Newton::interrupted ? DualPoint::interrupted
+                                                        : DualPoint::stalled;
+  for (Eigen::Index i = 0; i < m; ++i)
+    point.active.push_back(rows.equality[static_cast<std::size_t>(i)] || point.multipliers[i] > 0);
+  return point;
+}
+
+Rows some_of(const Rows& rows, const std::vector<Eigen::Index>& kept) {
+  Rows some;
+  some.matrix = rows.matrix(kept, Eigen::all);
+  some.bound = rows.bound(kept);
+  for (const Eigen::Index i : kept) some.equality.push_back(rows.equality[static_cast<std::size_t>(i)]);
+  return some;
 }
 
 }  // namespace
 
 DualPoint minimise_model(TotalSupport& oracle, const Model& model, const Rows& rows, const Vector& start,
                          double tolerance) {
-  const Eigen::Index m = rows.size(), squares = model.factor.cols();
-  std::vector<Eigen::Index> everything(static_cast<std::size_t>(m)), held;
-  for (Eigen::Index i = 0; i < m; ++i) {
-    everything[static_cast<std::size_t>(i)] = i;
-    if (rows.equality[static_cast<std::size_t>(i)]) held.push_back(i);
-  }
-  const auto point_of = [&](const Newton& newton, const std::vector<Eigen::Index>& in_play) {
-    DualPoint point;
-    point.q = newton.value.q;
-    point.s = newton.value.support.moments;
-    point.multipliers.setZero(m);
-    point.active.assign(static_cast<std::size_t>(m), false);
-    for (std::size_t i = 0; i < in_play.size(); ++i) {
-      point.multipliers[in_play[i]] = newton.v[squares + static_cast<Eigen::Index>(i)];
-      point.active[static_cast<std::size_t>(in_play[i])] = true;
+  // A base may have hundreds of edges, of which two or three count: rows join as they are violated.
+  constexpr Eigen::Index few = 6;
+  std::vector<bool> in(static_cast<std::size_t>(rows.size()));
+  for (std::size_t i = 0; i < in.size(); ++i)
+    in[i] = rows.equality[i] || rows.size() <= few ||
+            (start.size() == rows.size() && start[static_cast<Eigen::Index>(i)] > 0);
+  // The `count` rows left out that `s` violates most, by more than `slack`.
+  const auto join = [&](const Moments& s, double slack, int count) {
+    const Vector excess = rows.matrix * s - rows.bound;
+    bool joined = false;
+    for (; count > 0; --count) {
+      Eigen::Index worst = -1;
+      for (Eigen::Index i = 0; i < rows.size(); ++i)
+        if (!in[static_cast<std::size_t>(i)] && excess[i] > slack && (worst < 0 || excess[i] > excess[worst]))
+          worst = i;
+      if (worst < 0) break;
+      in[static_cast<std::size_t>(worst)] = joined = true;
     }
-    point.residual = newton.residual;
-    point.ending = newton.ending == Newton::converged     ? DualPoint::converged
-                   : newton.ending == Newton::separated   ? DualPoint::infeasible
-                   : newton.ending == Newton::interrupted ? DualPoint::interrupted
-                                                          : DualPoint::stalled;
-    return point;
+    return joined;
   };
-  constexpr int most_steps = 100;
-
-  Vector v = Vector::Zero(squares + m);
-  if (start.size() == m) v.tail(m) = start;
-  Dual all(oracle, model, rows, everything);
-  if (held.size() == everything.size()) return point_of(maximise(all, v, 0, tolerance, most_steps), everything);
-
-  for (Eigen::Index i = 0; i < m; ++i)
-    if (!rows.equality[static_cast<std::size_t>(i)])
-      v[squares + i] = model.margin ? 1.0 / static_cast<double>(m) : std::max(v[squares + i], 0.1);
-  DualPoint last;
-  for (double barrier = 0.1; barrier > 1e-13; barrier *= 0.1) {
-    const Newton rough = maximise(all, v, barrier, std::max(0.1 * barrier, tolerance), most_steps);
-    last = point_of(rough, everything);
-    if (last.ending == DualPoint::infeasible || last.ending == DualPoint::interrupted) return last;
-    v = rough.v;
-    if (barrier > 1e-3) continue;
-    // Those whose multiplier outweighs their slack are taken to be active, and held as equalities.
-    const Vector slack = (rows.bound - rows.matrix * last.s).array() + rough.slack;
-    std::vector<Eigen::Index> active = held;
-    for (Eigen::Index i = 0; i < m; ++i)
-      if (!rows.equality[static_cast<std::size_t>(i)] && v[squares + i] > slack[i]) active.push_back(i);
-    std::ranges::sort(active);
-    Dual some(oracle, model, rows, active);
-    Vector from(squares + static_cast<Eigen::Index>(active.size()));
-    from.head(squares) = v.head(squares);
-    for (std::size_t i = 0; i < active.size(); ++i)
-      from[squares + static_cast<Eigen::Index>(i)] = v[squares + active[i]];
-    if (model.margin) from.tail(from.size() - squares) /= from.tail(from.size() - squares).sum();
-    const Newton fine = maximise(some, from, 0, tolerance, 20);
-    DualPoint point = point_of(fine, active);
-    const double met = std::max(10 * tolerance, 10 * point.residual);
-    bool right = point.residual <= 1e3 * tolerance;
-    const Vector excess = (rows.matrix * point.s - rows.bound).array() - fine.slack;
-    for (Eigen::Index i = 0; i < m; ++i)
-      if (!rows.equality[static_cast<std::size_t>(i)])
-        right = right && point.multipliers[i] >= 0 && excess[i] <= met;
-    if (right) return point;
+  const double infinity = std::numeric_limits<double>::infinity();
+  if (model.margin && std::ranges::count(in, true) < 3)
+    join(oracle(model.linear + rows.matrix.colwise().sum().transpose() / double(rows.size()), false).moments,
+         -infinity, 3);
+  Vector known = start;
+  for (;;) {
+    std::vector<Eigen::Index> kept;
+    for (std::size_t i = 0; i < in.size(); ++i)
+      if (in[i]) kept.push_back(static_cast<Eigen::Index>(i));
+    const Vector from = known.size() == rows.size() ? Vector(known(kept)) : Vector();
+    DualPoint point = minimise_with(oracle, model, some_of(rows, kept), from, tolerance);
+    known.setZero(rows.size());
+    known(kept) = point.multipliers;
+    point.multipliers = known;
+    std::vector<bool> active(in.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) active[static_cast<std::size_t>(kept[i])] = point.active[i];
+    point.active = std::move(active);
+    if (point.ending == DualPoint::infeasible || point.ending == DualPoint::interrupted ||
+        !join(point.s, point.slack + 10 * tolerance, 2))
+      return point;
   }
-  return last;
 }
 
 }  // namespace kreisel

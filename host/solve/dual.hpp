@@ -54,12 +54,13 @@ struct DualPoint {
   Moments q = Moments::Zero();  ///< the quadric: linear + factor p + rows^T multipliers
   Moments s = Moments::Zero();  ///< s(q): the minimiser as far as converged
   Eigen::VectorXd multipliers;  ///< one a row; >= 0 for inequalities
+  double slack = 0;             ///< t of a margin
   double residual = 0;          ///< largest violation of the optimality conditions
-  std::vector<bool> active;     ///< rows held as equalities at the end
+  std::vector<bool> active;     ///< rows that hold as equalities there
 };
 
-/// Newton's method on the dual; inequalities by a log barrier that ends with the guess which of them are
-/// active. `infeasible`: the separating quadric rows^T multipliers proves that no filling meets the rows.
+/// Newton's method on the dual, in few rows at a time: more join as they are violated. `infeasible`: the
+/// separating quadric rows^T multipliers proves that no filling meets the rows.
 ///
 /// @param start      multipliers to start from; empty: zero
 /// @param tolerance  on the residual, body units

@@ -112,7 +112,8 @@ Phase Search::model_step(State& state, bool first) {
   int trials = 1;
   if (!first && !exact) {
     const double f = problem_.value(state.s), slope = model.linear.dot(step);
-    while (trials < 40 && !(problem_.value(state.s + alpha * step) <= f + 1e-4 * alpha * std::min(slope, 0.0)))
+    while (trials < 40 &&
+           !(problem_.value(state.s + alpha * step) <= f + 1e-4 * alpha * std::min(slope, 0.0)))
       alpha /= 2, ++trials;
   }
   state.s += alpha * step;
@@ -135,8 +136,8 @@ Phase Search::newton(State& state) {
   const Eigen::Matrix<double, Eigen::Dynamic, 10> c = rows_.matrix(active, Eigen::all);
   const Eigen::VectorXd b = rows_.bound(active);
   Moments s = state.s;
-  Eigen::VectorXd mu = state.multipliers.size() ? Eigen::VectorXd(state.multipliers(active))
-                                                : Eigen::VectorXd::Zero(m);
+  Eigen::VectorXd mu =
+      state.multipliers.size() ? Eigen::VectorXd(state.multipliers(active)) : Eigen::VectorXd::Zero(m);
   double before = std::numeric_limits<double>::infinity();
   for (int step = 0; step < 30; ++step) {
     const Moments q = problem_.gradient(s) + c.transpose() * mu;
@@ -148,7 +149,8 @@ Phase Search::newton(State& state) {
     const double residual = std::max(rest.lpNorm<Eigen::Infinity>(), missed);
     bool fits = support.moments.allFinite();
     for (Eigen::Index i = 0; i < m; ++i)
-      fits = fits && (rows_.equality[static_cast<std::size_t>(active[static_cast<std::size_t>(i)])] || mu[i] >= 0);
+      fits = fits &&
+             (rows_.equality[static_cast<std::size_t>(active[static_cast<std::size_t>(i)])] || mu[i] >= 0);
     if (fits && residual < state.residual) {
       state.s = support.moments;
       state.q = q;
@@ -161,8 +163,8 @@ Phase Search::newton(State& state) {
     if (!(residual < 0.5 * before) && step > 0) break;
     before = residual;
     Eigen::MatrixXd system(10 + m, 10 + m);
-    system << Matrix10::Identity() - support.hessian * problem_.hessian(s), -support.hessian * c.transpose(), c,
-        Eigen::MatrixXd::Zero(m, m);
+    system << Matrix10::Identity() - support.hessian * problem_.hessian(s), -support.hessian * c.transpose(),
+        c, Eigen::MatrixXd::Zero(m, m);
     // Of least norm, for a symmetric body leaves multipliers undetermined.
     const Eigen::VectorXd d = system.completeOrthogonalDecomposition().solve(-rest);
     s += d.head<10>();
@@ -225,8 +227,7 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
   outcome.dual_infeasibility = state.residual;
   outcome.multipliers.assign(state.multipliers.begin(), state.multipliers.end());
   outcome.iterations = static_cast<int>(outcome.history.size());
-  outcome.solve_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  outcome.solve_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   outcome.kernel_seconds = task.device.kernel_seconds();
   switch (phase) {
     case Phase::converged:

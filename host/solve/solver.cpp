@@ -64,7 +64,8 @@ const std::vector<SolverEntry>& solvers() {
        "interior point: lifted exact Hessian, or L-BFGS (ipopt.hessian_approximation=limited-memory)",
        solve_with_ipopt,
        {"voxel", "rayrep"}},
-      {"moment", "sequential quadratic programming and Newton's method in the ten moments (docs/quadric.md)",
+      {"moment",
+       "sequential quadratic programming and Newton's method in the ten moments (docs/quadric.md)",
        solve_with_moments,
        {"quadric"}},
   };
@@ -78,6 +79,12 @@ const SolverEntry& find_solver(std::string_view name, std::string_view formulati
     throw InputError(fmt::format("solver '{}' does not work with formulation '{}'; it works with: {}", name,
                                  formulation, fmt::join(entry->formulations, ", ")));
   return *entry;
+}
+
+const SolverEntry& default_solver(std::string_view formulation) {
+  for (const SolverEntry& entry : solvers())
+    if (std::ranges::find(entry.formulations, formulation) != entry.formulations.end()) return entry;
+  throw unknown_name("formulation", formulation, names_of(formulations()));
 }
 
 Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& options) {

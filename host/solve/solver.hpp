@@ -86,6 +86,9 @@ struct SolverEntry {
 /// @throws InputError  unknown solver, or one that cannot work with the formulation
 [[nodiscard]] const SolverEntry& find_solver(std::string_view name, std::string_view formulation);
 
+/// The first solver that works with a formulation. @throws InputError  unknown formulation
+[[nodiscard]] const SolverEntry& default_solver(std::string_view formulation);
+
 /// Solves the task, and then whatever Problem::next() asks for, each step from the variables of the one
 /// before. Iterations, evaluations, seconds and history are of all steps, the rest of the last.
 [[nodiscard]] Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& options);

@@ -28,7 +28,7 @@ constexpr std::pair<const char*, const char*> fields[] = {
     {"model", "a name of `bench list`, or a mesh file (STL, 3MF, OBJ, PLY, OFF); default ellipsoid"},
     {"problem", "what is asked; default spin"},
     {"formulation", "how the interior is described; default rayrep"},
-    {"solver", "default ipopt"},
+    {"solver", "default: ipopt, for quadric moment"},
     {"resolution", "cells along the longest side, or NXxNYxNZ; default 64"},
     {"wall", "least wall: 1.5h (cells), 2% (of the longest side) or mm; default 1.5h"},
     {"rounding", "to whole voxels: nearest, or fitted so that the constraints hold (default)"},
@@ -75,7 +75,7 @@ void add_run_options(CLI::App& app, Parsed& parsed) {
   for (const auto& [name, setting, help] : problem_settings)
     add_field(app, parsed, fmt::format("--{}", name), setting, help);
   app.add_option("--set", parsed.settings,
-                 "GROUP.NAME=VALUE; groups: ipopt (any of its options), problem, formulation, solver")
+                 "GROUP.NAME=VALUE; groups: ipopt (any of its options), moment, problem, formulation, solver")
       ->allow_extra_args(false)
       ->type_name("GROUP.NAME=VALUE");
   app.add_option("--json", parsed.once.json_file, "write the result as JSON; - for standard output");
