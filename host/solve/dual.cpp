@@ -77,6 +77,7 @@ class Dual {
   struct Value {
     Moments q;
     Support support;
+    double dual = 0;
     Vector gradient;  ///< of the dual in v
   };
 
@@ -84,11 +85,14 @@ class Dual {
     Value value;
     value.q = model_.linear + forms_ * v;
     value.support = oracle_(value.q, true);
+    const auto p = v.head(squares());
+    value.dual = value.support.value - offsets_.dot(v) - p.squaredNorm() / 2;
     value.gradient = forms_.transpose() * value.support.moments - offsets_;
-    value.gradient.head(squares()) -= v.head(squares());
+    value.gradient.head(squares()) -= p;
     return value;
   }
-  /// Do these multipliers separate the rows from the attainable moments? Then no filling meets them.
+  /// Do these multipliers separate the rows from the attainable moments? Then
+  /// no filling meets them.
   [[nodiscard]] bool separates(const Vector& v) {
     const Vector rest = v.tail(size() - squares());
     const double norm = rest.lpNorm<Eigen::Infinity>();
@@ -118,8 +122,9 @@ struct Newton {
   enum { converged, stalled, separated, interrupted } ending = stalled;
 };
 
-/// Maximises the dual over multipliers >= 0 of inequalities, any of equalities, and, for a margin, of sum
-/// one, by Newton's method in those that are not held at zero. [Bertsekas 1982, Projected Newton methods]
+/// Maximises the dual over multipliers >= 0 of inequalities, any of equalities,
+/// and, for a margin, of sum one, by Newton's method in those that are not held
+/// at zero. [Bertsekas 1982, Projected Newton methods]
 class Maximiser {
  public:
   Maximiser(Dual& dual, const Rows& rows, bool margin, double tolerance)
@@ -132,7 +137,8 @@ class Maximiser {
 
  private:
   [[nodiscard]] bool bounded(Eigen::Index i) const { return bounded_[static_cast<std::size_t>(i)]; }
-  /// The Newton step in the components that are not held; `held` grows by those that it would drive below 0.
+  /// The Newton step in the components that are not held; `held` grows by those
+  /// that it would drive below 0.
   Vector step(const Newton& at, std::vector<bool>& held);
   /// How far to go along d, at most `most`; moves `at`.
   void search(Newton& at, const Vector& d, double most);
@@ -145,6 +151,10 @@ class Maximiser {
 
 Vector Maximiser::step(const Newton& at, std::vector<bool>& held) {
   const Matrix hessian = dual_.hessian(at.value);
+  // Directions in which no ray ends are flat: damping keeps the step within
+  // reach, for what is known of the dual does not go far.
+  const double reach = 4 * std::max(1.0, at.v.lpNorm<Eigen::Infinity>());
+  double damping = std::max(dual_.size() ? 1e-14 * -hessian.diagonal().minCoeff() : 0.0, 1e-14);
   for (;;) {
     std::vector<Eigen::Index> free;
     for (Eigen::Index i = 0; i < dual_.size(); ++i)
@@ -154,8 +164,7 @@ Vector Maximiser::step(const Newton& at, std::vector<bool>& held) {
     const Eigen::Index more = margin_ ? 1 : 0;
     Matrix system = Matrix::Zero(n + more, n + more);
     system.topLeftCorner(n, n) = -hessian(free, free);
-    // Directions in which no ray ends are flat: a little of the largest curvature keeps the step finite.
-    system.diagonal().head(n).array() += std::max(n ? 1e-14 * system.diagonal().maxCoeff() : 0.0, 1e-12);
+    system.diagonal().head(n).array() += damping;
     for (Eigen::Index i = 0; i < n; ++i)
       if (more && free[static_cast<std::size_t>(i)] >= dual_.squares()) system(i, n) = system(n, i) = 1;
     Vector right = Vector::Zero(n + more);
@@ -167,14 +176,19 @@ Vector Maximiser::step(const Newton& at, std::vector<bool>& held) {
     bool again = false;
     for (Eigen::Index i = 0; i < dual_.size(); ++i)
       if (bounded(i) && at.v[i] == 0 && d[i] < 0) held[static_cast<std::size_t>(i)] = again = true;
-    if (!again) return d;
+    if (again) continue;
+    if (!(d.lpNorm<Eigen::Infinity>() > reach)) return d;
+    damping *= 100;
   }
 }
 
 void Maximiser::search(Newton& at, const Vector& d, double most) {
-  // The dual is concave: a step after which it still rises has gained, one after which it falls less steeply
-  // than it rose before is good enough. Slopes keep their digits where values have lost them.
+  // The dual is concave: a step after which it still rises has gained; one
+  // after which it falls, less steeply than it rose before, is good enough
+  // unless there was a kink between, which the values show. Near the end slopes
+  // keep their digits where values have lost them.
   const double rise = at.value.gradient.dot(d);
+  const double least = at.value.dual - 1e-14 * (1 + std::abs(at.value.dual));
   double alpha = most;
   constexpr int most_trials = 30;
   for (int trial = 1;; ++trial) {
@@ -183,7 +197,8 @@ void Maximiser::search(Newton& at, const Vector& d, double most) {
       if (bounded(i) && v[i] < 1e-14 * std::abs(at.v[i])) v[i] = 0;
     Dual::Value value = dual_.at(v);
     const double slope = value.gradient.dot(d);
-    if (slope >= -0.5 * std::abs(rise) || trial == most_trials) {
+    const bool gained = slope >= 0 || (slope >= -0.5 * rise && value.dual >= least);
+    if (gained || trial == most_trials) {
       at.v = std::move(v);
       at.value = std::move(value);
       return;
@@ -199,7 +214,8 @@ Newton Maximiser::run(Vector v) {
   at.v = std::move(v);
   at.value = dual_.at(at.v);
   double best = std::numeric_limits<double>::infinity();
-  double checked = 10;  // size of the multipliers when they were last asked whether they separate
+  double checked = 10;  // size of the multipliers when they were last asked
+                        // whether they separate
   int without_progress = 0;
   constexpr int most_steps = 150;
   for (int count = 0;; ++count) {
@@ -224,13 +240,12 @@ Newton Maximiser::run(Vector v) {
     without_progress = at.residual < 0.7 * best ? 0 : without_progress + 1;
     best = std::min(best, at.residual);
     const bool round_off = without_progress >= 4 && best < 1e3 * tolerance_;
-    if (round_off || count == most_steps) return at;
+    const bool at_kink = margin_ && at.value.q.cwiseAbs().maxCoeff() < 1e-12;
+    if (round_off || at_kink || count == most_steps) return at;
 
     const Vector d = step(at, held);
     if (!d.allFinite() || d.isZero(0)) return at;
-    // No further than what is known, for far out the dual may be flat; nor below zero.
-    const double reach = 4 * std::max(1.0, at.v.lpNorm<Eigen::Infinity>());
-    double most = std::min(1.0, reach / d.lpNorm<Eigen::Infinity>());
+    double most = 1;  // no multiplier below zero
     for (Eigen::Index i = squares; i < n; ++i)
       if (bounded(i) && d[i] < 0) most = std::min(most, -at.v[i] / d[i]);
     search(at, d, most);
@@ -285,11 +300,23 @@ Rows some_of(const Rows& rows, const std::vector<Eigen::Index>& kept) {
   return some;
 }
 
+/// A margin that leaves room for many fillings is reached by all of them, and the dual ends at q = 0, where
+/// it has a kink. So that one of them is the answer: the one that lies closest to some point, in a metric
+/// that no row happens to share.
+Model with_a_preference(const Model& model) {
+  Moments form;
+  form << 0, -0.31, -0.17, -0.53, 0.13, 0.11, -0.07, 0.9, 1.1, 1.0;
+  Model preferring = model;
+  preferring.linear += 1e-7 * form;  // costs the margin about as much
+  return preferring;
+}
+
 }  // namespace
 
 DualPoint minimise_model(TotalSupport& oracle, const Model& model, const Rows& rows, const Vector& start,
                          double tolerance) {
-  // A base may have hundreds of edges, of which two or three count: rows join as they are violated.
+  // A base may have hundreds of edges, of which two or three count: rows join
+  // as they are violated.
   constexpr Eigen::Index few = 6;
   std::vector<bool> in(static_cast<std::size_t>(rows.size()));
   for (std::size_t i = 0; i < in.size(); ++i)
@@ -320,6 +347,8 @@ DualPoint minimise_model(TotalSupport& oracle, const Model& model, const Rows& r
       if (in[i]) kept.push_back(static_cast<Eigen::Index>(i));
     const Vector from = known.size() == rows.size() ? Vector(known(kept)) : Vector();
     DualPoint point = minimise_with(oracle, model, some_of(rows, kept), from, tolerance);
+    if (model.margin && point.ending == DualPoint::stalled)
+      point = minimise_with(oracle, with_a_preference(model), some_of(rows, kept), from, tolerance);
     known.setZero(rows.size());
     known(kept) = point.multipliers;
     point.multipliers = known;

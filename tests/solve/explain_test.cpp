@@ -21,7 +21,7 @@ class Explain : public testing::TestWithParam<Way> {
     const auto f =
         make_formulation(GetParam().formulation, BoxDomain::columns(), problem.traits(), {}, test_device());
     const Task task{problem, *f, mass, test_device()};
-    return explain_infeasible(find_solver("ipopt", GetParam().formulation), task, options_of(GetParam()));
+    return explain_infeasible(default_solver(GetParam().formulation), task, options_of(GetParam()));
   }
 };
 

@@ -21,7 +21,7 @@ class MarginOf : public testing::TestWithParam<Way> {
     const MassModel mass;
     const Task task{rows, *f, mass, test_device()};
     const Outcome outcome =
-        kreisel::solve(find_solver("ipopt", GetParam().formulation), task, options_of(GetParam()));
+        kreisel::solve(default_solver(GetParam().formulation), task, options_of(GetParam()));
     gap_ = gap_of(task, outcome, 1);
     EXPECT_LT(gap_, 1e-3) << "or the solver stopped far from what it calls optimal";
     // The smallest t: what the worst row is missed by, or, negative, what the tightest has to spare.

@@ -64,7 +64,7 @@ class Optimum : public testing::TestWithParam<Way> {
     if (problem.traits().filling == Filling::either_end && !voxels() &&
         name_of(GetParam()) != "rayrep_convex")
       options.from = half_full(formulation_->bounds());
-    const Outcome outcome = kreisel::solve(find_solver("ipopt", GetParam().formulation), task, options);
+    const Outcome outcome = kreisel::solve(default_solver(GetParam().formulation), task, options);
     EXPECT_TRUE(outcome.termination == Termination::optimal || outcome.termination == Termination::acceptable)
         << outcome.message;
     gap_ = gap_of(task, outcome, 1);
@@ -210,7 +210,7 @@ TEST_P(Optimum, OfTheTiltIsThatOfABisection) {
   const auto out_of_reach = [&](double tau) {
     const MaxTilt at(base, tau);
     const Task task{at, *formulation_, mass, test_device()};
-    const Outcome outcome = find_solver("ipopt", GetParam().formulation).solve(task, options_of(GetParam()));
+    const Outcome outcome = default_solver(GetParam().formulation).solve(task, options_of(GetParam()));
     return (at.constraints().matrix * outcome.moments).maxCoeff();
   };
   double low = start, high = 1;

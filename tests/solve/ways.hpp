@@ -10,28 +10,26 @@
 namespace kreisel {
 
 struct Way {
-  std::string formulation, hessian;
+  std::string formulation, hessian;  ///< no Hessian to choose: the moment solver
   bool convexify = true;
 };
 
 inline std::string name_of(const Way& way) {
+  if (way.hessian.empty()) return way.formulation;
   return way.formulation + (way.hessian != "exact" ? "_lbfgs" : way.convexify ? "_convex" : "_full");
 }
 
 inline std::ostream& operator<<(std::ostream& out, const Way& way) { return out << name_of(way); }
 
 inline std::vector<Way> ways() {
-  return {{"voxel", "exact"},
-          {"voxel", "limited-memory"},
-          {"rayrep", "exact"},
-          {"rayrep", "exact", false},
-          {"rayrep", "limited-memory"}};
+  return {{"voxel", "exact"},         {"voxel", "limited-memory"},  {"rayrep", "exact"},
+          {"rayrep", "exact", false}, {"rayrep", "limited-memory"}, {"quadric", ""}};
 }
 
 inline SolverOptions options_of(const Way& way) {
   SolverOptions options;
   options.convexify = way.convexify;
-  options.own["hessian_approximation"] = way.hessian;
+  if (!way.hessian.empty()) options.own["hessian_approximation"] = way.hessian;
   return options;
 }
 

@@ -1,0 +1,165 @@
+// moment_test.cpp - what the moment solver promises beyond the known optima of optima_test.cpp.
+#include "solve/moment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "domain/test_bodies.hpp"
+#include "error.hpp"
+#include "problem/spin.hpp"
+#include "problem/stand.hpp"
+#include "solve/dual.hpp"
+#include "solve/test_tasks.hpp"
+
+namespace kreisel {
+namespace {
+
+struct Solved {
+  Outcome outcome;
+  MassModel mass;
+};
+
+Solved solve_on(const Columns& domain, const Problem& problem, const MassModel& mass,
+                const std::string& formulation = "quadric") {
+  const auto way = make_formulation(formulation, domain, problem.traits(), {}, test_device());
+  const Task task{problem, *way, mass, test_device()};
+  return {solve(default_solver(formulation), task, {}), mass};
+}
+
+/// A box about (0.05, 0.02, 0.6), off its axis, so that spinning takes work.
+Body leaning_box() { return body_of(box_mesh({-0.6, -0.45, 0.1}, {0.7, 0.49, 0.9})); }
+
+Columns columns_of(const Body& body, int resolution) {
+  GridSpec spec;
+  spec.resolution = resolution;
+  return make_columns(body, spec, {1.2, Wall::cells});
+}
+
+TEST(MomentSolver, IsNoWorseThanRayRepAndMeetsTheConstraintsToRoundOff) {
+  const Body body = leaning_box();
+  const Columns domain = columns_of(body, 30);
+  const MassModel mass = hollowed(body, domain.interior);
+  const Spin problem({});
+  const Outcome quadric = solve_on(domain, problem, mass).outcome;
+  const Outcome rays = solve_on(domain, problem, mass, "rayrep").outcome;
+  ASSERT_EQ(quadric.termination, Termination::optimal) << quadric.message;
+  EXPECT_LE(quadric.violation, 1e-12);
+  EXPECT_LE(quadric.objective, rays.objective + 1e-6);
+  EXPECT_LT(quadric.objective, problem.value(body.solid) - 0.05) << "nothing gained, nothing tested";
+  // Newton's method: a handful of passes, not dozens.
+  EXPECT_LE(quadric.evaluations.hessian + quadric.evaluations.objective, 60);
+}
+
+TEST(MomentSolver, EndsWhereTheQuadricIsThatOfItsMultipliers) {
+  const Body body = leaning_box();
+  const Columns domain = columns_of(body, 24);
+  const MassModel mass = hollowed(body, domain.interior);
+  for (const double lambda : {0.0, 1.0, 100.0}) {
+    SpinOptions options;
+    options.lambda = lambda;
+    const Spin problem(options);
+    const Outcome outcome = solve_on(domain, problem, mass).outcome;
+    ASSERT_EQ(outcome.termination, Termination::optimal) << outcome.message << " with " << lambda;
+    Moments q = problem.gradient(outcome.moments);
+    for (Eigen::Index r = 0; r < 4; ++r)
+      q += outcome.multipliers[static_cast<std::size_t>(r)] * problem.constraints().matrix.row(r).transpose();
+    const double scale = q.cwiseAbs().maxCoeff();
+    EXPECT_LE((q / scale - Moments(outcome.x.data())).cwiseAbs().maxCoeff(), 1e-9) << lambda;
+    // f is homogeneous of degree zero in s and the constraints are homogeneous: q . s = 0. [docs/quadric.md]
+    EXPECT_LE(std::abs(q.dot(outcome.moments)), 1e-12 * scale) << lambda;
+  }
+}
+
+TEST(MomentSolver, StandsOnAPlaneThroughTheCentreOfMass) {
+  const Body body = leaning_box();
+  const Columns domain = columns_of(body, 24);
+  const MassModel mass = hollowed(body, domain.interior);
+  const Base base{hull_of({{-0.5, -0.4}, {0.5, -0.4}, {0.5, 0.4}, {-0.5, 0.4}}), 0.1, 0.8};
+  const Outcome outcome = solve_on(domain, Stand(base, std::nullopt), mass).outcome;
+  ASSERT_EQ(outcome.termination, Termination::optimal) << outcome.message;
+  const Moments q(outcome.x.data());
+  EXPECT_EQ(q.tail<6>().cwiseAbs().maxCoeff(), 0);
+  const Eigen::Vector3d c = centre_of_mass(outcome.moments);
+  EXPECT_NEAR(q[S1] + q.segment<3>(SX).dot(c), 0, 1e-12);
+}
+
+TEST(MomentSolver, ProvesWhatCannotBeMet) {
+  // The axis misses the box.
+  const Body body = body_of(box_mesh({0.2, -0.4, 0.1}, {1.4, 0.5, 0.9}));
+  const Columns domain = columns_of(body, 24);
+  const MassModel mass = hollowed(body, domain.interior);
+  const Spin problem({});
+  const Outcome outcome = solve_on(domain, problem, mass).outcome;
+  ASSERT_EQ(outcome.termination, Termination::infeasible) << outcome.message;
+  // The separating quadric is positive for every filling: for all, for nothing, and for the worst.
+  const auto quadric = make_formulation("quadric", domain, {}, {}, test_device());
+  TotalSupport total(*quadric->oracle(), mass, 0);
+  const Moments q(outcome.x.data());
+  EXPECT_GT(total(q, false).value, 1e-6);
+  EXPECT_GT(q.dot(mass.fixed), 1e-6);
+  EXPECT_GT(q.dot(mass.total(domain.interior)), 1e-6);
+  // It is made of the constraints' forms alone.
+  const auto& forms = problem.constraints().matrix;
+  EXPECT_LE((q - forms.transpose() * (forms * q)).norm(), 1e-14);
+}
+
+TEST(MomentSolver, TakesABodyOfRevolutionAboutItsAxis) {
+  // All four constraints hold by symmetry, whatever a symmetric quadric takes away.
+  const Body body = body_of(box_mesh({-0.5, -0.5, 0}, {0.5, 0.5, 1}));
+  const Columns domain = columns_of(body, 20);
+  const MassModel mass = hollowed(body, domain.interior);
+  const Outcome outcome = solve_on(domain, Spin({}), mass).outcome;
+  ASSERT_EQ(outcome.termination, Termination::optimal) << outcome.message;
+  const Moments q(outcome.x.data());
+  EXPECT_LE(std::abs(q[SX]) + std::abs(q[SY]) + std::abs(q[SXZ]) + std::abs(q[SYZ]), 1e-9);
+  EXPECT_NEAR(q[SXX], q[SYY], 1e-9);
+}
+
+TEST(MomentSolver, FillsAllWhenThatIsBest) {
+  // A flat slab spins best with all of its mass.
+  const Body body = body_of(box_mesh({-1.2, -1.2, 0}, {1.2, 1.2, 0.175}));
+  const Columns domain = columns_of(body, 40);
+  const MassModel mass = hollowed(body, domain.interior);
+  const Outcome outcome = solve_on(domain, Spin({}), mass).outcome;
+  ASSERT_EQ(outcome.termination, Termination::optimal) << outcome.message;
+  EXPECT_LE(outcome.objective, Spin({}).value(mass.total(domain.interior)) + 1e-12);
+}
+
+TEST(MomentSolver, SaysOfOneRayThatItCannotBalance) {
+  Columns domain = columns_of(leaning_box(), 24);
+  domain.intervals.resize(1);
+  const Interval& run = domain.intervals[0];
+  domain.interior = box_moments({domain.grid.centre(0, run.ix), domain.grid.centre(1, run.iy),
+                                 (domain.grid.face(2, run.k0) + domain.grid.face(2, run.k1)) / 2},
+                                {domain.grid.h, domain.grid.h, (run.k1 - run.k0) * domain.grid.h});
+  const MassModel mass = hollowed(leaning_box(), domain.interior);
+  EXPECT_EQ(solve_on(domain, Spin({}), mass).outcome.termination, Termination::infeasible);
+}
+
+TEST(MomentSolver, RefusesWhatItDoesNotKnow) {
+  const Columns& domain = BoxDomain::columns();
+  const LowestMass problem(0.3);
+  const auto way = make_formulation("quadric", domain, {}, {}, test_device());
+  const MassModel mass;
+  const Task task{problem, *way, mass, test_device()};
+  for (const auto& [name, value] : {std::pair{"tolerance", "0"}, {"levels", "1.5"}, {"max_iter", "3"}}) {
+    SolverOptions options;
+    options.own[name] = value;
+    EXPECT_THROW((void)solve_with_moments(task, options), InputError) << name;
+  }
+  EXPECT_THROW((void)make_formulation("quadric", domain, {}, {{"bounds", "ordered"}}, test_device()),
+               InputError);
+}
+
+TEST(MomentSolver, FillsABoxFromBelow) {
+  const LowestMass problem(0.3);
+  const auto way = make_formulation("quadric", BoxDomain::columns(), {}, {}, test_device());
+  const MassModel mass;
+  const Outcome outcome = solve(default_solver("quadric"), {problem, *way, mass, test_device()}, {});
+  ASSERT_EQ(outcome.termination, Termination::optimal) << outcome.message;
+  EXPECT_NEAR(outcome.objective, BoxDomain::lowest_rays(0.3 / BoxDomain::area), 1e-14);
+}
+
+}  // namespace
+}  // namespace kreisel
