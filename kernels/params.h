@@ -6,6 +6,8 @@
  */
 #ifndef KREISEL_PARAMS_H
 #define KREISEL_PARAMS_H
+/* Terms that a kernel adds up plainly before they enter an accumulator (real.h). */
+#define KREISEL_RUN 8
 #ifdef __cplusplus
 #define PARAMS_BEGIN(Name) template <class real> struct Name {
 #define PARAMS_END(Name) };

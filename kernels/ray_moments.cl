@@ -4,12 +4,14 @@
 //                                  one of them
 // in    column   uint  [n]         ix | iy << 16
 // in    fixed    real  [n]         the other end of each ray when only one varies; else not read
-// out   partial  accum [groups*10] one row a work-group, order s1 sx sy sz sxy syz sxz sxx syy szz
+// out   partial  accum [groups*10] one row a work-group, order s1 sx sy sz sxy syz sxz sxx syy szz,
+//                                  of lines of unit density: s1 sx sy sxy sxx syy, 2 sz syz sxz and 3 szz;
+//                                  the host makes them h x h columns
 // build ENDS                       1: z0 varies, 2: z1 varies, 3: both
 //       WG, LANES, KREISEL_SINGLE  see real.h; arrays are padded with zeros to a multiple of GROUP, p.n counts the
 //                                  padding
 // sum   a block of elements a group, reduce10 at its end: fixed order, no atomics
-// rays are h x h columns: sxx and syy carry h^2/12 per column; the integral along z is exact
+// the integral along z is exact
 #include "ray_moments_params.h"
 #include "reduce10.h"
 
@@ -55,12 +57,28 @@ static inline Columns columns_at(const RayParams* p, words packed) {
   return c;
 }
 
-// Coefficients of sum_k w_k t_k(x, y, z) averaged over the column: a[0] + a[1] z + a[2] z^2.
-static inline void along_ray(const RayParams* p, Columns c, global const real* w, reals* a) {
-  const real hh = p->h * p->h / 12;
-  a[0] = w[0] + w[1] * c.x + w[2] * c.y + w[4] * c.x * c.y + w[7] * (c.x * c.x + hh) + w[8] * (c.y * c.y + hh);
+// The polynomial w[0] + w[1] x + .. + w[9] z^2, coefficients in the order of the moments, along a ray:
+// a[0] + a[1] z + a[2] z^2. It is the derivative by z1, which the host has averaged over a column.
+static inline void along_ray(Columns c, global const real* w, reals* a) {
+  a[0] = w[0] + (w[1] + w[4] * c.y + w[7] * c.x) * c.x + (w[2] + w[8] * c.y) * c.y;
   a[1] = w[3] + w[5] * c.y + w[6] * c.x;
   a[2] = w[9];
+}
+
+// Written with the factor (z1 - z0), so that thin segments keep their digits.
+static inline void add_rays(reals* s, Columns c, Segments segment) {
+  const reals z0 = segment.z0, z1 = segment.z1, len = z1 - z0, sum = z0 + z1, mid = len * sum;
+  const reals x = len * c.x, y = len * c.y;
+  s[0] += len;
+  s[1] += x;
+  s[2] += y;
+  s[3] += mid;
+  s[4] += x * c.y;
+  s[5] += mid * c.y;
+  s[6] += mid * c.x;
+  s[7] += x * c.x;
+  s[8] += y * c.y;
+  s[9] += len * (z0 * z0 + z1 * sum);
 }
 
 kernel __attribute__((reqd_work_group_size(WG, 1, 1))) void ray_moments(RayParams p, global const real* x,
@@ -70,56 +88,43 @@ kernel __attribute__((reqd_work_group_size(WG, 1, 1))) void ray_moments(RayParam
   local real scratch[SCRATCH10];
   accums s[10];
   for (int k = 0; k < 10; ++k) s[k] = (accums)ACCUM_ZERO;
-  const real area = p.h * p.h, hh = area / 12, third = (real)1 / 3, half_area = area / 2;
-  for (int i = block_begin(p.block); i < block_end(p.block, p.n); i += GROUP) {
-    const Columns c = columns_at(&p, LOAD(i, column));
-    const Segments segment = segments_at(&p, x, fixed, i);
-    const reals z0 = segment.z0, z1 = segment.z1;
-    // Written with the factor (z1 - z0), so that thin segments keep their digits.
-    const reals len = area * (z1 - z0);
-    const reals mid = half_area * (z1 - z0) * (z0 + z1);
-    s[0] = accum_add(s[0], len);
-    s[1] = accum_add(s[1], c.x * len);
-    s[2] = accum_add(s[2], c.y * len);
-    s[3] = accum_add(s[3], mid);
-    s[4] = accum_add(s[4], c.x * c.y * len);
-    s[5] = accum_add(s[5], c.y * mid);
-    s[6] = accum_add(s[6], c.x * mid);
-    s[7] = accum_add(s[7], (c.x * c.x + hh) * len);
-    s[8] = accum_add(s[8], (c.y * c.y + hh) * len);
-    s[9] = accum_add(s[9], third * len * (z0 * z0 + z0 * z1 + z1 * z1));
+  const int end = block_end(p.block, p.n);
+  for (int i = block_begin(p.block); i < end; i += KREISEL_RUN * GROUP) {
+    reals run[10];
+    for (int k = 0; k < 10; ++k) run[k] = 0;
+    for (int j = i; j < min(i + KREISEL_RUN * GROUP, end); j += GROUP)
+      add_rays(run, columns_at(&p, LOAD(j, column)), segments_at(&p, x, fixed, j));
+    accum_add10(s, run);
   }
   reduce10(s, scratch, partial);
 }
 
-// (ds/dx)^T w for each of p.rows weight rows: out[r*VARS*p.n + j] = sum_k w[r*10+k] ds_k/dx_j.
+// (ds/dx)^T w for each of p.rows rows of along_ray's w: out[r*VARS*p.n + j], j < VARS*n.
 kernel void ray_pull_back(RayParams p, global const real* x, global const uint* column, global const real* w,
                           global real* out) {
   const int i = get_global_id(0) * LANES;
   if (i >= p.n) return;
   const Columns c = columns_at(&p, LOAD(i, column));
-  const real scale = p.unit * p.h * p.h;
   reals z[VARS];
   load_ends(z, i, x);
   for (int end = 0; end < VARS; ++end) z[end] *= p.unit;
   for (int r = 0; r < p.rows; ++r) {
     reals a[3], derivative[VARS];
-    along_ray(&p, c, w + 10 * r, a);
+    along_ray(c, w + 10 * r, a);
     for (int end = 0; end < VARS; ++end)
-      derivative[end] = SIGN(end) * scale * (a[0] + z[end] * (a[1] + z[end] * a[2]));
+      derivative[end] = SIGN(end) * (a[0] + z[end] * (a[1] + z[end] * a[2]));
     store_ends(derivative, i, out + (size_t)r * VARS * p.n);
   }
 }
 
-// Diagonal of sum_k w_k d2s_k/dx2, which has no other entries: out[j], j < VARS*n.
+// Diagonal of the second derivatives, which have no other entries, of one row of along_ray's w: out[j], j < VARS*n.
 kernel void ray_curvature(RayParams p, global const real* x, global const uint* column, global const real* w,
                           global real* out) {
   const int i = get_global_id(0) * LANES;
   if (i >= p.n) return;
   reals a[3], z[VARS];
-  along_ray(&p, columns_at(&p, LOAD(i, column)), w, a);
+  along_ray(columns_at(&p, LOAD(i, column)), w, a);
   load_ends(z, i, x);
-  const real scale = p.unit * p.unit * p.h * p.h;
-  for (int end = 0; end < VARS; ++end) z[end] = SIGN(end) * scale * (a[1] + 2 * p.unit * a[2] * z[end]);
+  for (int end = 0; end < VARS; ++end) z[end] = SIGN(end) * p.unit * (a[1] + 2 * p.unit * a[2] * z[end]);
   store_ends(z, i, out);
 }

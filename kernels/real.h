@@ -7,8 +7,10 @@
  * A CPU has long vectors and walks memory in order: LANES = its width, WG = 1. On a GPU neighbouring items are the
  * lanes: LANES = 1, WG = 64.
  *
- * A sum of n terms is within  2u + n^2 u^2  (single, u = 2^-24) or  n u  (double, u = 2^-53) of the sum of
- * absolute values [Ogita, Rump, Oishi 2005, Accurate sum and dot product, proposition 4.5].
+ * Terms are added up plainly in runs of KREISEL_RUN (params.h), and the runs' sums to an accumulator. A chain of n
+ * additions is within  (KREISEL_RUN + 1) u + n^2 u^2  (single, u = 2^-24) or  n u  (double, u = 2^-53) of the sum of
+ * absolute values: KREISEL_RUN - 1 roundings in a run, and 2u + n^2 u^2 of the accumulator [Ogita, Rump, Oishi 2005,
+ * Accurate sum and dot product, proposition 4.5].
  */
 #ifndef KREISEL_REAL_H
 #define KREISEL_REAL_H
@@ -20,7 +22,6 @@
 #define GROUP (WG * LANES) /* elements a work-group takes at once; a multiple of 4 */
 
 #ifdef KREISEL_SINGLE
-#pragma OPENCL FP_CONTRACT OFF
 #define REAL float
 #else
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
@@ -68,6 +69,7 @@ typedef struct { real sum, err; } accum;
 typedef struct { reals sum, err; } accums;
 #define ACCUM_ZERO {0, 0}
 static inline accums accum_add(accums a, reals v) {
+#pragma OPENCL FP_CONTRACT OFF
   const reals t = a.sum + v;
   const reals z = t - a.sum;
   a.err += (a.sum - (t - z)) + (v - z);
@@ -75,6 +77,7 @@ static inline accums accum_add(accums a, reals v) {
   return a;
 }
 static inline accum accum_join(accum a, accum b) {
+#pragma OPENCL FP_CONTRACT OFF
   const real t = a.sum + b.sum;
   const real z = t - a.sum;
   a.err += ((a.sum - (t - z)) + (b.sum - z)) + b.err;

@@ -20,6 +20,11 @@
 static inline int block_begin(int block) { return (int)get_group_id(0) * block + (int)get_local_id(0) * LANES; }
 static inline int block_end(int block, int n) { return min(((int)get_group_id(0) + 1) * block, n); }
 
+/* Ten sums, each with a run's sum added. */
+static inline void accum_add10(accums* s, const reals* run) {
+  for (int k = 0; k < 10; ++k) s[k] = accum_add(s[k], run[k]);
+}
+
 #ifdef KREISEL_SINGLE
 #define SCRATCH10 (2 * SUMS * GROUP)
 static inline void accum_store(accums a, int i, local real* scratch) {

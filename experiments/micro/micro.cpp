@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "params.h"
+
 namespace kreisel::micro {
 namespace {
 
@@ -19,6 +21,8 @@ void count(benchmark::State& state, double elements, double seconds) {
 }
 
 }  // namespace
+
+double accumulation(const device::Device& device) { return device.single() ? 10 * 7.0 / KREISEL_RUN : 0; }
 
 bool agree(const Moments& got, const MomentSums& want, double bound, std::size_t n) {
   // The reference's own n roundings outgrow the bound of the kernel's many short sums.

@@ -29,6 +29,10 @@ struct Floor {
   bool writes;  ///< as much as it reads, about: the ceiling is that of a copy, else that of reading
 };
 
+/// Operations an element costs beyond its terms: in single precision, ten compensated additions of seven each
+/// a run. In double precision a run could as well go on to the end.
+[[nodiscard]] double accumulation(const device::Device& device);
+
 /// Where a check failed; main() ends with 1 then.
 inline bool all_agree = true;
 

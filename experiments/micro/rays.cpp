@@ -94,10 +94,9 @@ void curvature(benchmark::State& state, Machine& machine, const std::string& nam
 
 void register_rays(Machine& machine, bool reference) {
   const double real = static_cast<double>(machine.device.real_bytes());
-  const double accumulate = machine.device.single() ? 7 : 1;
   // z0, z1 and the column in, two derivatives out; operations counted in ray_moments.cl.
-  const Floor summing{2 * real + 4, 30 + 10 * accumulate, false};
-  const Floor pulling{4 * real + 4, 35, true}, curving{4 * real + 4, 14, true};
+  const Floor summing{2 * real + 4, 30 + accumulation(machine.device), false};
+  const Floor pulling{4 * real + 4, 28, true}, curving{4 * real + 4, 14, true};
   for (const std::size_t n : sizes(machine.device, summing.bytes)) {
     const auto add = [&, n](const char* name, auto body, const Floor& floor) {
       const std::string full = fmt::format("{}/{}/{}", name, machine.precision(), n);

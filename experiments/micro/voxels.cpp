@@ -74,8 +74,8 @@ void pull_back(benchmark::State& state, Machine& machine, const std::string& nam
 void register_voxels(Machine& machine, bool reference) {
   const double real = static_cast<double>(machine.device.real_bytes());
   // Fill and cell in; or the cell in and a derivative out. Operations counted in voxel_moments.cl.
-  const Floor summing{real + 4, 22 + 10.0 * (machine.device.single() ? 7 : 1), false};
-  const Floor pulling{real + 4, 34, true};
+  const Floor summing{real + 4, 25 + accumulation(machine.device), false};
+  const Floor pulling{real + 4, 24, true};
   for (const std::size_t n : sizes(machine.device, summing.bytes)) {
     const auto add = [&, n](const char* name, auto body, const Floor& floor) {
       const std::string full = fmt::format("{}/{}/{}", name, machine.precision(), n);

@@ -1,5 +1,7 @@
 #include "body/mesh_moments.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <stdexcept>
 #include <vector>
@@ -11,6 +13,8 @@
 namespace kreisel {
 namespace {
 
+constexpr std::size_t most_vertices = (std::size_t{1} << 30) - 1;  // quadruples are found by 32-bit words
+
 /// x, y, z, 0 of every vertex about `middle`, and of `middle` itself at the end.
 std::vector<double> quadruples(const TriangleMesh& mesh, const Vec3& middle) {
   std::vector<double> all(4 * (mesh.vertices.size() + 1), 0.0);
@@ -19,12 +23,13 @@ std::vector<double> quadruples(const TriangleMesh& mesh, const Vec3& middle) {
   return all;
 }
 
-/// First, second, third corners of all triangles, one after the other; padded with triangles at the middle.
+/// Where first, second, third corners of all triangles begin among the quadruples, one after the other;
+/// padded with triangles at the middle.
 std::vector<std::uint32_t> corners_apart(const TriangleMesh& mesh) {
   const std::size_t n = device::padded(mesh.triangles.size());
-  std::vector<std::uint32_t> all(3 * n, static_cast<std::uint32_t>(mesh.vertices.size()));
+  std::vector<std::uint32_t> all(3 * n, static_cast<std::uint32_t>(4 * mesh.vertices.size()));
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) all[k * n + i] = mesh.triangles[i][k];
+    for (std::size_t k = 0; k < 3; ++k) all[k * n + i] = 4 * mesh.triangles[i][k];
   return all;
 }
 
@@ -32,6 +37,9 @@ std::vector<std::uint32_t> corners_apart(const TriangleMesh& mesh) {
 
 Moments mesh_moments(const TriangleMesh& mesh, device::Device& device) {
   if (mesh.triangles.empty()) return Moments::Zero();
+  if (mesh.vertices.size() > most_vertices)
+    throw std::invalid_argument(
+        fmt::format("mesh of {} vertices; the kernel takes at most {}", mesh.vertices.size(), most_vertices));
   const Box box = bounding_box(mesh);
   const Vec3 middle = (box.lo + box.hi) / 2;
   const std::vector<double> vertices = quadruples(mesh, middle);
@@ -48,8 +56,12 @@ Moments mesh_moments(const TriangleMesh& mesh, device::Device& device) {
   kernel.setArg(2, corner);
   kernel.setArg(3, rows.handle());
   rows.run(kernel);
-  const auto sums = rows.join();
-  return transformed(Moments(sums.data()), Eigen::Matrix3d::Identity(), middle);
+  const auto joined = rows.join();
+  Moments sums(joined.data());
+  sums[S1] /= 6;
+  sums.segment<3>(SX) /= 24;
+  sums.tail<6>() /= 120;
+  return transformed(sums, Eigen::Matrix3d::Identity(), middle);
 }
 
 double mesh_moments_bound(const TriangleMesh& mesh, device::Device& device) {

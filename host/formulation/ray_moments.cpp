@@ -4,14 +4,26 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "device/program.hpp"
+#include "formulation/formulation.hpp"
 #include "ray_moments_params.h"
 
 namespace kreisel {
 namespace {
 
-constexpr std::size_t most_rows = 10;
+/// Of every w, the polynomial that is the derivative of w . s by a z1: averaged over a column's
+/// cross-section, times its area and the length of a unit.
+std::vector<double> polynomials(const Grid& grid, double unit, std::span<const Moments> weights) {
+  std::vector<double> all;
+  for (Moments w : weights) {
+    w[S1] += grid.h * grid.h / 12 * (w[SXX] + w[SYY]);
+    w *= unit * grid.h * grid.h;
+    all.insert(all.end(), w.begin(), w.end());
+  }
+  return all;
+}
 
 }  // namespace
 
@@ -26,7 +38,7 @@ RayMoments::RayMoments(device::Device& device, const Grid& grid, std::span<const
       stride_(ends == Ends::both ? 2 * device::padded(n_) : device::padded(n_)),
       fixed_(device, ends == Ends::both ? 0 : stride_),
       x_(device, stride_),
-      weights_(device, 10 * most_rows),
+      weights_(device, 10 * Formulation::most_weights),
       out_(device, stride_),
       rows_(device, n_) {
   if (fixed.size() != 2 * n_ - variables_)
@@ -73,17 +85,22 @@ Moments RayMoments::operator()(std::span<const double> x) {
   x_.update(x);
   set_params(sum_, 0);
   rows_.run(sum_);
-  return Moments(rows_.join().data());
+  const auto joined = rows_.join();
+  Moments s(joined.data());
+  for (const int k : {SZ, SYZ, SXZ}) s[k] /= 2;
+  s[SZZ] /= 3;
+  for (const int k : {SXX, SYY}) s[k] += grid_.h * grid_.h / 12 * s[S1];
+  return grid_.h * grid_.h * s;
 }
 
 void RayMoments::pull_back(std::span<const double> x, std::span<const Moments> weights,
                            std::span<double> out) {
   require_length(x.size());
-  if (weights.size() > most_rows || out.size() != weights.size() * x.size())
+  if (weights.size() > Formulation::most_weights || out.size() != weights.size() * x.size())
     throw std::invalid_argument(
         fmt::format("pull-back of {} rows into {} values for {} rays", weights.size(), out.size(), n_));
   x_.update(x);
-  weights_.upload({weights.front().data(), 10 * weights.size()});
+  weights_.upload(polynomials(grid_, unit_, weights));
   if (out_.size() < weights.size() * stride_) {
     out_ = device::RealBuffer(*device_, weights.size() * stride_);
     for (cl::Kernel* kernel : {&pull_back_, &curvature_}) kernel->setArg(4, out_.handle());
@@ -98,7 +115,7 @@ void RayMoments::curvature(std::span<const double> x, const Moments& weight, std
   require_length(x.size());
   require_length(out.size());
   x_.update(x);
-  weights_.upload({weight.data(), 10});
+  weights_.upload(polynomials(grid_, unit_, {&weight, 1}));
   set_params(curvature_, 1);
   device_->run_each(curvature_, n_);
   out_.download(out);

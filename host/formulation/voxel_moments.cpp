@@ -3,14 +3,26 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <vector>
 
 #include "device/program.hpp"
+#include "formulation/formulation.hpp"
 #include "voxel_moments_params.h"
 
 namespace kreisel {
 namespace {
 
-constexpr std::size_t most_rows = 10;
+/// Of every w, the polynomial that is the derivative of w . s by a fill: averaged over a cell, times its
+/// volume.
+std::vector<double> polynomials(const Grid& grid, std::span<const Moments> weights) {
+  std::vector<double> all;
+  for (Moments w : weights) {
+    w[S1] += grid.h * grid.h / 12 * (w[SXX] + w[SYY] + w[SZZ]);
+    w *= grid.h * grid.h * grid.h;
+    all.insert(all.end(), w.begin(), w.end());
+  }
+  return all;
+}
 
 }  // namespace
 
@@ -20,7 +32,7 @@ VoxelMoments::VoxelMoments(device::Device& device, const Grid& grid, std::span<c
       n_(cells.size()),
       cells_(device::upload_words(device, cells)),
       fill_(device, device::padded(n_)),
-      weights_(device, 10 * most_rows),
+      weights_(device, 10 * Formulation::most_weights),
       out_(device, device::padded(n_)),
       rows_(device, cells.size()) {
   const cl::Program program = device::build(device, "voxel_moments");
@@ -57,14 +69,17 @@ Moments VoxelMoments::operator()(std::span<const double> fill) {
   device::set_params<VoxelParams>(*device_, sum_, 0,
                                   [&](auto& p) { fill_params(p, grid_, n_, 0, rows_.block()); });
   rows_.run(sum_);
-  return Moments(rows_.join().data());
+  const auto joined = rows_.join();
+  Moments s(joined.data());
+  for (const int k : {SXX, SYY, SZZ}) s[k] += grid_.h * grid_.h / 12 * s[S1];
+  return grid_.h * grid_.h * grid_.h * s;
 }
 
 void VoxelMoments::pull_back(std::span<const Moments> weights, std::span<double> out) {
-  if (weights.size() > most_rows || out.size() != weights.size() * n_)
+  if (weights.size() > Formulation::most_weights || out.size() != weights.size() * n_)
     throw std::invalid_argument(
         fmt::format("pull-back of {} rows into {} values for {} voxels", weights.size(), out.size(), n_));
-  weights_.upload({weights.front().data(), 10 * weights.size()});
+  weights_.upload(polynomials(grid_, weights));
   const std::size_t stride = device::padded(n_);
   if (out_.size() < weights.size() * stride) {
     out_ = device::RealBuffer(*device_, weights.size() * stride);
