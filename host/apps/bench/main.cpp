@@ -35,6 +35,7 @@ constexpr std::pair<const char*, const char*> fields[] = {
     {"axis", "spin axis x,y,z in model coordinates; default up"},
     {"contact", "a point of the axis, mm; default the lowest point along it"},
     {"up", "up direction x,y,z; default the model's, else 0,0,1"},
+    {"unit", "of an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm"},
     {"size", "longest side in mm; default as the model is"},
     {"density", "g/cm^3; default 1"},
     {"void-density", "of what fills the voids, g/cm^3; default 0"},
@@ -88,7 +89,7 @@ void add_inspect_options(CLI::App& app, Parsed& parsed) {
   for (const auto& [name, help] : fields) {
     const std::string_view field = name;
     if (field == "model") add_field(app, parsed, "model,--model", name, help);
-    for (const char* used : {"axis", "contact", "up", "size", "density", "fineness", "device"})
+    for (const char* used : {"axis", "contact", "up", "unit", "size", "density", "fineness", "device"})
       if (field == used) add_field(app, parsed, fmt::format("--{}", name), name, help);
   }
   app.get_option("--model")->required();
