@@ -62,7 +62,6 @@ void require_valid(const BodySpec& spec) {
                     spec.void_density, spec.density));
   if (spec.size && (!(*spec.size > 0) || !std::isfinite(*spec.size)))
     throw InputError(fmt::format("size {} mm; expected > 0", *spec.size));
-
 }
 
 }  // namespace

@@ -36,7 +36,8 @@ bool is_name(const std::string& model) {
 void require_unit_wanted(const BodySpec& spec) {
   if (!spec.unit) return;
   const auto refuse = [&](const char* expected) {
-    throw InputError(fmt::format("unit {} for model '{}'; expected {}", spec.unit->name, spec.model, expected));
+    throw InputError(
+        fmt::format("unit {} for model '{}'; expected {}", spec.unit->name, spec.model, expected));
   };
   if (find_model(spec.model) || find_debian_mesh(spec.model))
     refuse("none with the name of a model, which is in mm (size scales it)");

@@ -11,11 +11,11 @@ struct Source {
   std::string name;
   std::string format;  ///< in words: a file format, or where else it comes from
   TriangleMesh mesh;
-  bool ours = false;   ///< made by the project: sound by its tests
+  bool ours = false;  ///< made by the project: sound by its tests
   Vec3 axis = Vec3::UnitZ(), up = Vec3::UnitZ();
   std::optional<Vec3> contact;
-  std::optional<double> size;        ///< to be scaled to, mm
-  double millimetres = 1;            ///< one unit of the mesh
+  std::optional<double> size;             ///< to be scaled to, mm
+  double millimetres = 1;                 ///< one unit of the mesh
   std::vector<std::string> repairs = {};  ///< what was mended, one line each
 };
 

@@ -202,11 +202,12 @@ TEST_F(Bench, PartsThatTouchAlongAnEdgeAreVerifiedInEveryFormat) {
   const std::string model = file("touching.off");
   write_mesh(model, {both(box_mesh({0, 0, 0}, {4, 4, 4}), box_mesh({4, 4, 0}, {8, 8, 4}))});
   for (const char* part : {"part.stl", "part.3mf", "part.ply"}) {
-    const BenchAnswer a = bench(fmt::format("--model {} --resolution 24 --json {} --mesh {}", model,
-                                            file("r.json"), file(part)));
+    const BenchAnswer a = bench(
+        fmt::format("--model {} --resolution 24 --json {} --mesh {}", model, file("r.json"), file(part)));
     ASSERT_EQ(a.code, 0) << a.out;
     EXPECT_NE(a.out.find("  verified   spins"), std::string::npos) << part << '\n' << a.out;
-    // Eighths and thirds of a millimetre as floats of up to 8 mm: 5e-7 of 8, at random, in numbers of order one.
+    // Eighths and thirds of a millimetre as floats of up to 8 mm: 5e-7 of 8, at random, in numbers of order
+    // one.
     EXPECT_LE(json_of(file("r.json")).at("verified").at("rounding_mismatch").get<double>(), 1e-6) << part;
     EXPECT_EQ(bench("inspect " + file(part)).code, 0) << part;
   }

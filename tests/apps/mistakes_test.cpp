@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"--problem balance --set problem.point=1,2", "problem.point = 1,2 for balance; expected"},
         Mistake{"--solver nosuch", "expected one of: ipopt"}, Mistake{"--axis 0,0,0", "no direction"},
         Mistake{"--axis 1,2", "three numbers"}, Mistake{"--density 0", "expected > 0"},
-        Mistake{"--unit cmm", "unit 'cmm' is unknown (did you mean 'cm'?); expected one of: mm, cm, m, in"},
+        Mistake{"--unit ccm", "unit 'ccm' is unknown (did you mean 'cm'?); expected one of: mm, cm, m, in"},
         Mistake{"--unit inch", "unit 'inch' is unknown; expected one of: mm, cm, m, in"},
         Mistake{"--model kitten --unit cm",
                 "unit cm for model 'kitten'; expected none with the name of a model"},

@@ -88,9 +88,9 @@ void print_checks(const AsRead& as_read, Surface& s) {
   if (s.repairs().lines.empty()) fmt::print("  repairs    none\n");
   for (const std::string& line : s.repairs().lines) fmt::print("  repaired   {}\n", line);
   const auto& pairs = s.crossings();
-  fmt::print("  crossings  {} pairs of triangles run through each other{}\n", pairs.size(),
-             pairs.empty() ? ""
-                           : fmt::format(", the first {} and {}", pairs.front()[0] + 1, pairs.front()[1] + 1));
+  fmt::print(
+      "  crossings  {} pairs of triangles run through each other{}\n", pairs.size(),
+      pairs.empty() ? "" : fmt::format(", the first {} and {}", pairs.front()[0] + 1, pairs.front()[1] + 1));
 }
 
 void print_shells(Surface& s) {
