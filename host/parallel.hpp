@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -32,7 +33,11 @@ void parallel_for(std::size_t count, Body&& body) {
     const std::size_t threads =
         std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
     std::vector<std::jthread> others;
-    for (std::size_t t = 1; t < threads; ++t) others.emplace_back(work);
+    try {
+      for (std::size_t t = 1; t < threads; ++t) others.emplace_back(work);
+    } catch (const std::system_error&) {
+      // No more threads to be had, as where memory is short: those there are do the work.
+    }
     work();
   }
   if (failure) std::rethrow_exception(failure);

@@ -7,8 +7,6 @@
 #include "body/mesh_moments.hpp"
 #include "body/source.hpp"
 #include "error.hpp"
-#include "mesh/check.hpp"
-#include "mesh/solid.hpp"
 
 namespace kreisel {
 namespace {
@@ -55,9 +53,7 @@ Vec3 direction(const Vec3& v, const char* option) {
   return v.normalized();
 }
 
-}  // namespace
-
-Body make_body(const BodySpec& spec, device::Device& device) {
+void require_valid(const BodySpec& spec) {
   if (!(spec.density > 0) || !std::isfinite(spec.density))
     throw InputError(fmt::format("density {} g/cm^3; expected > 0", spec.density));
   if (!(spec.void_density >= 0 && spec.void_density < spec.density))
@@ -66,21 +62,24 @@ Body make_body(const BodySpec& spec, device::Device& device) {
                     spec.void_density, spec.density));
   if (spec.size && (!(*spec.size > 0) || !std::isfinite(*spec.size)))
     throw InputError(fmt::format("size {} mm; expected > 0", *spec.size));
+}
 
-  Source source = load_source(spec);
+}  // namespace
+
+Body make_body(const BodySpec& spec, device::Device& device) {
+  require_valid(spec);  // ahead of the reading: a typing error costs no time
+  return make_body(spec, load_solid(spec), device);
+}
+
+Body make_body(const BodySpec& spec, Source source, device::Device& device) {
+  require_valid(spec);
   Body body;
   body.name = source.name;
-  if (source.ours) {
-    require_solid(source.mesh, spec.model);
-  } else {
-    RepairReport report;
-    source.mesh = make_solid(std::move(source.mesh), spec.model, report);
-    body.repairs = std::move(report.lines);
-  }
+  body.repairs = std::move(source.repairs);
   body.density = spec.density;
   body.void_density = spec.void_density;
   const std::optional<double> size = spec.size ? spec.size : source.size;
-  const double scale = size ? *size / bounding_box(source.mesh).extent().maxCoeff() : 1.0;
+  const double scale = size ? *size / bounding_box(source.mesh).extent().maxCoeff() : source.millimetres;
   for (Vec3& v : source.mesh.vertices) v *= scale;
   body.mesh = std::move(source.mesh);
 

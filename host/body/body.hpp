@@ -8,6 +8,7 @@
 #include "body/frame.hpp"
 #include "body/moments.hpp"
 #include "device/device.hpp"
+#include "mesh/length_unit.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace kreisel {
@@ -18,7 +19,9 @@ struct BodySpec {
   std::optional<Vec3> axis;     ///< spin axis, model coordinates; default `up` where given, else the model's
   std::optional<Vec3> up;       ///< default the model's, else +z
   std::optional<Vec3> contact;  ///< a point of the axis; default the model's, else the lowest point along it
-  /// Longest side of the bounding box, mm; default the model's, else as the file is.
+  std::optional<LengthUnit> unit;  ///< of a file whose format has none; default mm
+  /// Longest side of the bounding box, mm; default the model's, else as the file is in its
+  /// unit.
   std::optional<double> size;
   double density = 1.0;       ///< g/cm^3, > 0
   double void_density = 0.0;  ///< of what fills the voids, g/cm^3; >= 0, below `density`

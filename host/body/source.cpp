@@ -7,8 +7,10 @@
 #include "body/models.hpp"
 #include "body/models/debian_meshes.hpp"
 #include "error.hpp"
+#include "mesh/check.hpp"
 #include "mesh/format.hpp"
 #include "mesh/read.hpp"
+#include "mesh/solid.hpp"
 #include "nearest.hpp"
 
 namespace kreisel {
@@ -30,13 +32,27 @@ bool is_name(const std::string& model) {
   return !path.has_extension() && !std::filesystem::exists(path, ignored);
 }
 
+/// Only what has no unit of its own takes one.
+void require_unit_wanted(const BodySpec& spec) {
+  if (!spec.unit) return;
+  const auto refuse = [&](const char* expected) {
+    throw InputError(
+        fmt::format("unit {} for model '{}'; expected {}", spec.unit->name, spec.model, expected));
+  };
+  if (find_model(spec.model) || find_debian_mesh(spec.model))
+    refuse("none with the name of a model, which is in mm (size scales it)");
+  if (mesh_format(spec.model).has_unit) refuse("none with a file that says what its lengths are in");
+}
+
 }  // namespace
 
-void require_known_model(const std::string& model) {
-  if (!find_model(model) && !find_debian_mesh(model) && is_name(model)) unknown(model);
+void require_known_source(const BodySpec& spec) {
+  if (!find_model(spec.model) && !find_debian_mesh(spec.model) && is_name(spec.model)) unknown(spec.model);
+  require_unit_wanted(spec);
 }
 
 Source load_source(const BodySpec& spec) {
+  require_known_source(spec);
   if (const Model* model = find_model(spec.model)) {
     if (spec.fineness < 0)
       throw InputError(fmt::format("fineness {} of model '{}'; expected >= 1", spec.fineness, spec.model));
@@ -57,13 +73,30 @@ Source load_source(const BodySpec& spec) {
             .up = real->up,
             .contact = {},
             .size = DebianMesh::size};
-  require_known_model(spec.model);
   const std::filesystem::path path(spec.model);
   return {.name = path.stem().string(),
           .format = std::string(mesh_format(path).name),
           .mesh = read_mesh(path),
           .contact = {},
-          .size = {}};
+          .size = {},
+          .millimetres = spec.unit ? spec.unit->millimetres : 1.0};
+}
+
+Source load_solid(const BodySpec& spec) {
+  Source source = load_source(spec);
+  if (source.ours) {
+    require_solid(source.mesh, spec.model);
+    return source;
+  }
+  Surface surface(std::move(source.mesh));
+  return as_solid(std::move(source), surface, spec.model);
+}
+
+Source as_solid(Source source, Surface& surface, const std::string& model) {
+  SolidMesh solid = make_solid(surface, model);
+  source.mesh = std::move(solid.mesh);
+  source.repairs = std::move(solid.repairs.lines);
+  return source;
 }
 
 }  // namespace kreisel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "body/body.hpp"
+#include "mesh/surface.hpp"
 
 namespace kreisel {
 
@@ -9,19 +10,33 @@ namespace kreisel {
 struct Source {
   std::string name;
   std::string format;  ///< in words: a file format, or where else it comes from
-  TriangleMesh mesh;   ///< as read or made: neither checked nor mended
-  bool ours = false;   ///< made by the project: sound by its tests
+  TriangleMesh mesh;
+  bool ours = false;  ///< made by the project: sound by its tests
   Vec3 axis = Vec3::UnitZ(), up = Vec3::UnitZ();
   std::optional<Vec3> contact;
-  std::optional<double> size;  ///< to be scaled to, mm
+  std::optional<double> size;             ///< to be scaled to, mm
+  double millimetres = 1;                 ///< one unit of the mesh
+  std::vector<std::string> repairs = {};  ///< what was mended, one line each
 };
 
-/// The model of that name, made or fetched, or the mesh file.
-/// @throws InputError  neither a name (says the nearest) nor a readable file; fineness < 0
+/// The model of that name, made or fetched, or the mesh file, neither checked nor mended.
+/// @throws InputError  neither a name (says the nearest) nor a readable file; fineness < 0; a unit for what
+///                     has one
 [[nodiscard]] Source load_source(const BodySpec& spec);
 
-/// Looks at the name alone: a file may still be missing or broken.
-/// @throws InputError  neither the name of a model nor like that of a file; says the nearest
-void require_known_model(const std::string& model);
+/// The same with a mesh that bounds a solid: a file's is mended where that is safe, then checked (solid.hpp).
+/// @throws InputError  as load_source(), or no solid
+[[nodiscard]] Source load_solid(const BodySpec& spec);
+
+/// The source with the mended surface of its mesh. @throws InputError  that bounds no solid
+[[nodiscard]] Source as_solid(Source source, Surface& surface, const std::string& model);
+
+/// make_body() with the mesh at hand. @param solid  with the mesh of a solid
+[[nodiscard]] Body make_body(const BodySpec& spec, Source solid, device::Device& device);
+
+/// Looks at the names alone: a file may still be missing or broken.
+/// @throws InputError  neither the name of a model nor like that of a file, says the nearest; a unit for what
+///                     has one
+void require_known_source(const BodySpec& spec);
 
 }  // namespace kreisel

@@ -7,8 +7,10 @@
 #include <charconv>
 #include <cstdlib>
 #include <optional>
+#include <thread>
 
 #include "error.hpp"
+#include "memory.hpp"
 
 namespace kreisel::device {
 namespace {
@@ -41,7 +43,20 @@ Info describe(const cl::Platform& platform, const cl::Device& device, int index)
   return info;
 }
 
+/// PoCL with its compiler, and for each thread a stack, a heap and the buffer that OpenBLAS may be about to
+/// take (measured: 0.56 GB, and 0.2 GB a thread at the most). With less address space than that these
+/// libraries crash, wait for ever, or find no device.
+void require_memory() {
+  const Memory memory = available_memory();
+  const double need = 0.6e9 + 0.15e9 * std::max(1u, std::thread::hardware_concurrency());
+  constexpr double gibi = 1 << 30;
+  if (memory.limited && memory.bytes < need)
+    throw MemoryError(fmt::format("OpenCL needs about {:.2g} GiB and {} {:.2g}; expected a higher limit",
+                                  need / gibi, memory.of, memory.bytes / gibi));
+}
+
 std::vector<Found> find_all() {
+  require_memory();
   std::vector<Found> found;
   std::vector<cl::Platform> platforms;
   try {

@@ -33,7 +33,7 @@ struct Info {
   unsigned clock_mhz = 0;
 };
 
-/// Every OpenCL device of every platform; empty when there is none.
+/// Every OpenCL device of every platform; empty when there is none. @throws MemoryError  as Device
 std::vector<Info> list();
 
 /// Scalar of the kernels: double where the device has fp64, else single with compensated sums.
@@ -42,7 +42,8 @@ enum class Precision { automatic, single };
 /// A device picked by `selector`: an index of list(), or part of a device's or platform's name (any case).
 /// Empty: the environment variable KREISEL_DEVICE, else the first GPU, else PoCL, else the first device.
 ///
-/// @throws InputError  nothing matches (names what there is), or there is no device at all
+/// @throws InputError   nothing matches (names what there is), or there is no device at all
+/// @throws MemoryError  a limit on address space leaves less than the libraries of OpenCL take
 class Device {
  public:
   explicit Device(std::string_view selector = {}, Precision precision = Precision::automatic);

@@ -12,6 +12,7 @@
 #include "experiment/data_folder.hpp"
 #include "experiment/table.hpp"
 #include "nearest.hpp"
+#include "problem/problem.hpp"
 #include "run/field_names.hpp"
 #include "unknown_name.hpp"
 
@@ -143,6 +144,11 @@ class Parser {
 
   void require_known(std::string_view key, unsigned line) const {
     if (is_field(key)) return;
+    std::string setting(key);
+    std::ranges::replace(setting, '-', '_');  // as the option of that name is written
+    for (const ProblemEntry& problem : problems())
+      if (std::ranges::find(problem.settings, setting) != problem.settings.end())
+        fail(line, fmt::format("setting '{}' outside 'set', expected set.problem.{}", key, setting));
     std::vector<std::string_view> names = {"title", "table", "published", "figures",
                                            "run",   "label", "mesh",      "set"};
     const auto fields = field_names();

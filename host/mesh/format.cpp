@@ -11,9 +11,9 @@ namespace kreisel {
 
 const std::vector<MeshFormat>& mesh_formats() {
   static const std::vector<MeshFormat> formats = {
-      {".stl", "STL", read_stl, encode_stl}, {".3mf", "3MF", read_3mf, encode_3mf},
-      {".obj", "OBJ", read_obj, encode_obj}, {".ply", "PLY", read_ply, encode_ply},
-      {".off", "OFF", read_off, encode_off},
+      {".stl", "STL", false, read_stl, encode_stl}, {".3mf", "3MF", true, read_3mf, encode_3mf},
+      {".obj", "OBJ", false, read_obj, encode_obj}, {".ply", "PLY", false, read_ply, encode_ply},
+      {".off", "OFF", false, read_off, encode_off},
   };
   return formats;
 }

@@ -14,6 +14,7 @@ namespace kreisel {
 struct MeshFormat {
   std::string_view extension;  ///< lower case, with the dot
   std::string_view name;
+  bool has_unit;  ///< a file says what its lengths are in; read() turns them into millimetres
   TriangleMesh (*read)(const MeshFile& file);
   /// The bytes of a file of that name with all parts. @throws InputError  something the format cannot hold
   std::string (*encode)(const std::vector<TriangleMesh>& parts, const std::string& name);

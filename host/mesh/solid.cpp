@@ -4,8 +4,6 @@
 
 #include "error.hpp"
 #include "mesh/check.hpp"
-#include "mesh/components.hpp"
-#include "mesh/self_intersections.hpp"
 
 namespace kreisel {
 namespace {
@@ -27,10 +25,9 @@ void require_orientable(const TriangleMesh& mesh, std::string_view name) {
         name, report.misoriented.count));
 }
 
-}  // namespace
-
-void require_no_self_intersections(const TriangleMesh& mesh, std::string_view name) {
-  const auto pairs = self_intersections(mesh);
+void require_no_self_intersections(Surface& surface, std::string_view name) {
+  const TriangleMesh& mesh = surface.mesh();
+  const auto& pairs = surface.crossings();
   if (pairs.empty()) return;
   const auto [first, second] = pairs.front();
   throw InputError(
@@ -40,9 +37,11 @@ void require_no_self_intersections(const TriangleMesh& mesh, std::string_view na
                   middle_text(mesh, first), second + 1, middle_text(mesh, second)));
 }
 
-std::size_t require_alternating_shells(const TriangleMesh& mesh, std::string_view name) {
-  const std::vector<Shell> all = shells(mesh);
-  const auto enclosing = enclosing_shells(mesh, all);
+/// @return  the number of cavities: shells inside another that face inward
+std::size_t require_alternating_shells(Surface& surface, std::string_view name) {
+  const TriangleMesh& mesh = surface.mesh();
+  const auto& all = surface.shells();
+  const auto& enclosing = surface.enclosing();
   std::size_t cavities = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool cavity = enclosing[i].size() % 2 == 1;
@@ -59,16 +58,23 @@ std::size_t require_alternating_shells(const TriangleMesh& mesh, std::string_vie
   return cavities;
 }
 
-TriangleMesh make_solid(TriangleMesh mesh, std::string_view name, RepairReport& report) {
-  mesh = repaired(std::move(mesh), report);
-  require_orientable(mesh, name);
-  require_solid(mesh, name);
-  require_no_self_intersections(mesh, name);
-  if (const std::size_t n = require_alternating_shells(mesh, name))
-    report.lines.push_back(
+}  // namespace
+
+SolidMesh make_solid(Surface& surface, std::string_view name) {
+  require_orientable(surface.mesh(), name);
+  require_solid(surface.mesh(), name);
+  require_no_self_intersections(surface, name);
+  SolidMesh solid{surface.mesh(), surface.repairs()};
+  if (const std::size_t n = require_alternating_shells(surface, name))
+    solid.repairs.lines.push_back(
         n == 1 ? "kept 1 cavity, a shell inside the solid that faces inward"
                : fmt::format("kept {} cavities, shells inside the solid that face inward", n));
-  return mesh;
+  return solid;
+}
+
+SolidMesh make_solid(TriangleMesh mesh, std::string_view name) {
+  Surface surface(std::move(mesh));
+  return make_solid(surface, name);
 }
 
 }  // namespace kreisel

@@ -3,24 +3,24 @@
 
 #include <string_view>
 
-#include "mesh/repair.hpp"
+#include "mesh/surface.hpp"
 
 namespace kreisel {
 
-/// repaired(), then every check: closed, two triangles at every edge, orientable, of non-zero volume
+/// A mesh that bounds a solid, and how it came to.
+struct SolidMesh {
+  TriangleMesh mesh;
+  RepairReport repairs;  ///< and how many cavities the solid has
+};
+
+/// The surface after every check: closed, two triangles at every edge, orientable, of non-zero volume
 /// (require_solid()); not running through itself; shells within shells facing inward and outward in turn.
 ///
-/// @param name    what messages call the mesh
-/// @param report  the repairs, and how many cavities the solid has
+/// @param name  what messages call the mesh
 /// @throws InputError  the first check that fails; one line with number and place
-[[nodiscard]] TriangleMesh make_solid(TriangleMesh mesh, std::string_view name, RepairReport& report);
+[[nodiscard]] SolidMesh make_solid(Surface& surface, std::string_view name);
 
-/// @throws InputError  with the number of pairs and the first, when the surface runs through itself
-void require_no_self_intersections(const TriangleMesh& mesh, std::string_view name);
-
-/// For a mesh that passes require_solid() and does not run through itself.
-/// @return  the number of cavities: shells inside another that face inward
-/// @throws InputError  a shell faces the same way as the one around it
-std::size_t require_alternating_shells(const TriangleMesh& mesh, std::string_view name);
+/// The same of a mesh as it is read, which is mended first (repair.hpp).
+[[nodiscard]] SolidMesh make_solid(TriangleMesh mesh, std::string_view name);
 
 }  // namespace kreisel

@@ -82,7 +82,8 @@ struct ProblemEntry {
   /// The settings with which a solid is judged as it is; nothing when the problem asks for more than a solid
   /// has.
   std::optional<ProblemSettings> for_solid;
-  bool upright = false;  ///< goes by the body's up direction, not by its spin axis
+  bool upright = false;                         ///< goes by the body's up direction, not by its spin axis
+  std::vector<std::string_view> settings = {};  ///< names that `make` knows
 };
 
 [[nodiscard]] const std::vector<ProblemEntry>& problems();

@@ -15,6 +15,23 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// For every edge of the base a row with an upper bound of 0: `extra` beside n . (sx, sy) - d s1.
+LinearConstraints edge_rows(const Base& base, std::string_view what, const Moments& extra) {
+  const auto rows = static_cast<Eigen::Index>(base.polygon.edges.size());
+  LinearConstraints c;
+  c.matrix = extra.transpose().replicate(rows, 1);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const SupportPolygon::Edge& e = base.polygon.edges[static_cast<std::size_t>(i)];
+    c.matrix(i, SX) += e.n[0];
+    c.matrix(i, SY) += e.n[1];
+    c.matrix(i, S1) -= e.d;
+    c.names.push_back(fmt::format("{} edge {} of the base", what, i));
+  }
+  c.lower.setConstant(rows, -infinity);
+  c.upper.setZero(rows);
+  return c;
+}
+
 Verdict verdict_of(const Base& base, const Moments& s, double length_mm, double objective) {
   const Vec3 c = centre_of_mass(s);
   const double inside = base.polygon.inside(c.head<2>());
@@ -49,17 +66,7 @@ Stand::Stand(Base base, std::optional<double> margin) : base_(std::move(base)) {
     c.names = {"cx over the base's centroid", "cy over the base's centroid"};
     return;
   }
-  const auto rows = static_cast<Eigen::Index>(base_.polygon.edges.size());
-  c.matrix.setZero(rows, 10);
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const SupportPolygon::Edge& e = base_.polygon.edges[static_cast<std::size_t>(i)];
-    c.matrix(i, SX) = e.n[0];
-    c.matrix(i, SY) = e.n[1];
-    c.matrix(i, S1) = *margin - e.d;
-    c.names.push_back(fmt::format("inside edge {} of the base", i));
-  }
-  c.lower.setConstant(rows, -infinity);
-  c.upper.setZero(rows);
+  c = edge_rows(base_, "inside", *margin * Moments::Unit(S1));
 }
 
 Moments Stand::gradient(const Moments& s) const {
@@ -81,20 +88,8 @@ Verdict Stand::verify(const Moments& s, double length_mm) const {
   return verdict_of(base_, s, length_mm, value(s));
 }
 
-MaxTilt::MaxTilt(Base base, double tau) : base_(std::move(base)), tau_(tau) {
-  const auto rows = static_cast<Eigen::Index>(base_.polygon.edges.size());
-  constraints_.matrix.setZero(rows, 10);
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const SupportPolygon::Edge& e = base_.polygon.edges[static_cast<std::size_t>(i)];
-    constraints_.matrix(i, SX) = e.n[0];
-    constraints_.matrix(i, SY) = e.n[1];
-    constraints_.matrix(i, SZ) = tau;
-    constraints_.matrix(i, S1) = -e.d - tau * base_.ground;
-    constraints_.names.push_back(fmt::format("tilt over edge {} of the base", i));
-  }
-  constraints_.lower.setConstant(rows, -infinity);
-  constraints_.upper.setZero(rows);
-}
+MaxTilt::MaxTilt(Base base, double tau)
+    : base_(std::move(base)), tau_(tau), constraints_(edge_rows(base_, "tilt over", tau * height_form())) {}
 
 const SupportPolygon::Edge& MaxTilt::nearest(const Moments& s) const {
   const Vec3 c = centre_of_mass(s);

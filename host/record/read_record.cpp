@@ -53,6 +53,9 @@ void read_domain(const Group& group, RecordSummary& summary, const std::string& 
 
 void read_solve(const Group& group, RecordSummary& summary, const std::string& name) {
   summary.message = group.text("message");
+  // Early records of this schema have neither these nor moved_voxels.
+  if (group.has("scope")) summary.scope = group.text("scope");
+  if (group.has("infeasibility")) summary.infeasibility = group.text("infeasibility");
   summary.repeat = static_cast<int>(group.integer("repeat"));
   summary.budget_seconds = group.real("budget");
   summary.samples = seconds_of(group, "samples", name);
@@ -103,6 +106,8 @@ RecordSummary read_record(const std::filesystem::path& path) {
   summary.rounded_objective = rounding.real("objective");
   summary.rounded_violation = rounding.real("violation");
   summary.mended_voxels = static_cast<std::size_t>(rounding.integer("mended_voxels"));
+  if (rounding.has("moved_voxels"))
+    summary.moved_voxels = static_cast<std::size_t>(rounding.integer("moved_voxels"));
   const Group verified = file.group("verified");
   summary.written = moments_of(verified, "moments", name);
   summary.verified_ok = verified.integer("ok") != 0;

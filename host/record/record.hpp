@@ -29,12 +29,13 @@ struct RecordSummary {
   std::map<std::string, std::string> config;  ///< as describe() gives it
   std::string error;  ///< of a failed run; then there is only what was asked for, by whom and where
   std::string model, problem, formulation, solver, termination, message;
+  std::string scope, infeasibility;  ///< what could be asked; what cannot be met
   std::array<int, 3> grid{};
   std::size_t rays = 0, interior_voxels = 0, variables = 0;
   int iterations = 0;
   double objective = 0, violation = 0;
   double rounded_objective = 0, rounded_violation = 0;
-  std::size_t mended_voxels = 0;
+  std::size_t mended_voxels = 0, moved_voxels = 0;
   bool verified_ok = false;
   std::string verified_text;
   double length_mm = 1, mass_unit_grams = 1;  ///< one body unit in model units

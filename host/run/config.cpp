@@ -87,6 +87,7 @@ const std::map<std::string_view, Setter>& setters() {
       {"axis", [](C c, S k, S v) { c.body.axis = vector(k, v); }},
       {"up", [](C c, S k, S v) { c.body.up = vector(k, v); }},
       {"contact", [](C c, S k, S v) { c.body.contact = vector(k, v); }},
+      {"unit", [](C c, S, S v) { c.body.unit = find_length_unit(v); }},
       {"size", [](C c, S k, S v) { c.body.size = number(k, v); }},
       {"density", [](C c, S k, S v) { c.body.density = number(k, v); }},
       {"void-density", [](C c, S k, S v) { c.body.void_density = number(k, v); }},
@@ -180,6 +181,7 @@ std::map<std::string, std::string> describe(const RunConfig& config) {
   if (config.body.axis) fields["axis"] = text_of(*config.body.axis);
   if (config.body.up) fields["up"] = text_of(*config.body.up);
   if (config.body.contact) fields["contact"] = text_of(*config.body.contact);
+  if (config.body.unit) fields["unit"] = config.body.unit->name;
   if (config.body.size) fields["size"] = fmt::format("{}", *config.body.size);
   if (config.body.fineness) fields["fineness"] = std::to_string(config.body.fineness);
   if (config.rounding == Rounding::nearest) fields["rounding"] = "nearest";

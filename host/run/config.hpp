@@ -31,7 +31,7 @@ struct RunConfig {
 };
 
 /// Sets one field from text, as the command line and TOML files name them: model, problem, formulation,
-/// solver, resolution (N or NXxNYxNZ), wall, axis, contact, up ("x,y,z"), size, density, void-density,
+/// solver, resolution (N or NXxNYxNZ), wall, axis, contact, up ("x,y,z"), unit, size, density, void-density,
 /// fineness, device, precision, repeat, budget, and GROUP.NAME for settings.
 ///
 /// @throws InputError  unknown key or unfit value; names both and what was expected

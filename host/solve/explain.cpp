@@ -4,6 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
+
+#include "parse.hpp"
 
 namespace kreisel {
 namespace {
@@ -47,6 +50,13 @@ std::vector<double> least_misses(const SolverEntry& solver, const Task& task, co
   return misses;
 }
 
+struct Miss {
+  std::string name;
+  double amount;  ///< as printed: what reads the same is the same, and stays in the problem's order
+};
+
+double printed(double amount) { return parse<double>(fmt::format("{:.3g}", amount)).value_or(amount); }
+
 }  // namespace
 
 std::string explain_infeasible(const SolverEntry& solver, const Task& task, const SolverOptions& options) {
@@ -59,17 +69,26 @@ std::string explain_infeasible(const SolverEntry& solver, const Task& task, cons
   constexpr double none = 1e-6;
   if (worst <= none) return "the constraints alone can be met: the solver stopped at a local infeasibility";
 
-  std::vector<std::string> alone, shared;
+  std::vector<Miss> alone, shared;
   for (const Eigen::Index r : all) {
-    const std::string& name = c.names[static_cast<std::size_t>(r)];
-    if (together[static_cast<std::size_t>(r)] < worst / 2) continue;
+    const auto i = static_cast<std::size_t>(r);
+    if (together[i] <= none) continue;
+    shared.push_back({c.names[i], printed(together[i])});
     const double miss = least_misses(solver, task, options, {r}).front();
-    if (miss > none) alone.push_back(fmt::format("{} is out of reach by {:.3g}", name, miss));
-    shared.push_back(name);
+    if (miss > none) alone.push_back({c.names[i], printed(miss)});
   }
-  if (!alone.empty()) return fmt::format("{} (body units)", fmt::join(alone, "; "));
-  return fmt::format("{} cannot be met together: missed by {:.3g} at the least (body units)",
-                     fmt::join(shared, ", "), worst);
+  std::ranges::stable_sort(alone, std::ranges::greater(), &Miss::amount);
+  std::ranges::stable_sort(shared, std::ranges::greater(), &Miss::amount);
+  std::vector<std::string> words;
+  for (const Miss& m : alone) words.push_back(fmt::format("{} is out of reach by {:.3g}", m.name, m.amount));
+  if (!alone.empty()) return fmt::format("{} (body units)", fmt::join(words, "; "));
+  std::vector<double> amounts;
+  for (const Miss& m : shared) {
+    words.push_back(m.name);
+    amounts.push_back(m.amount);
+  }
+  return fmt::format("{} cannot be met together: the best compromise misses them by {:.3g} (body units)",
+                     fmt::join(words, ", "), fmt::join(amounts, ", "));
 }
 
 }  // namespace kreisel

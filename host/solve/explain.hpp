@@ -6,8 +6,8 @@
 namespace kreisel {
 
 /// One sentence for a task that the solver found infeasible: which constraints are out of reach each by
-/// itself, or else which cannot be met together, and the least amount by which they are missed, body units
-/// (masses M, first moments M L, second moments M L^2).
+/// itself, or else which cannot be met together; all of them, the worst first, and by how much each is missed
+/// at the least or in the best compromise, body units (masses M, first moments M L, second moments M L^2).
 ///
 /// Solves the same task for its margin, all constraints first, then alone each that is missed. As far as the
 /// solver tells: a formulation with local minima gives no proof.

@@ -12,8 +12,9 @@
 #include <new>
 
 #include "error.hpp"
+#include "memory.hpp"
 #include "nearest.hpp"
-#include "solve/memory.hpp"
+#include "solve/linear_algebra.hpp"
 #include "solve/nlp.hpp"
 
 namespace kreisel {
@@ -147,18 +148,29 @@ double natural_scale(const Task& task, const std::vector<double>& start, double 
   return largest > 0 ? reach / largest : 1.0;
 }
 
-/// Ipopt and MUMPS keep some 2 kB a variable (measured: 1.8 kB a voxel, 1.6 kB an end of a ray). Asking for
-/// more than there is would end in the system's hands, not in ours.
-void require_memory(const Task& task) {
-  constexpr double bytes = 2000, gibi = 1 << 30;
-  const double need = bytes * static_cast<double>(task.formulation.num_variables()) / gibi;
-  const Memory memory = available_memory();
-  const double have = memory.bytes / gibi;
-  if (need > have)
-    throw InputError(
-        fmt::format("{} with {} variables needs about {:.3g} GiB in Ipopt and {} {:.3g}; expected a coarser "
-                    "--resolution",
-                    task.formulation.name(), task.formulation.num_variables(), need, memory.of, have));
+constexpr double gibi = 1 << 30;
+
+/// What Ipopt and MUMPS take, bytes. They use some 2 kB a variable (measured: 1.8 kB a voxel, 1.6 kB an end
+/// of a ray). Of limited address space all counts that they ask for: 2.3 kB, and half as much again where
+/// MUMPS has to ask twice.
+double memory_for(const Task& task, bool limited) {
+  const auto n = static_cast<double>(task.formulation.num_variables());
+  return limited ? 3500 * n + blas_bytes : 2000 * n;
+}
+
+/// @param happened  what the variables did; the memory there is follows
+MemoryError too_little(const Task& task, const Memory& memory, std::string_view happened) {
+  return MemoryError(fmt::format(
+      "{} with {} variables {} {} {:.3g} GiB; expected a coarser --resolution or more",
+      task.formulation.name(), task.formulation.num_variables(), happened, memory.of, memory.bytes / gibi));
+}
+
+/// Asking for more than there is would end in the system's hands, not in ours.
+void require_memory(const Task& task, const Memory& memory) {
+  const double need = memory_for(task, memory.limited);
+  if (need > memory.bytes)
+    throw too_little(task, memory, fmt::format("needs about {:.3g} GiB in Ipopt and", need / gibi));
+  if (memory.limited) reserve_blas_buffers();
 }
 
 Outcome solve(const Task& task, const SolverOptions& options) {
@@ -170,6 +182,8 @@ Outcome solve(const Task& task, const SolverOptions& options) {
   const bool linear = task.formulation.moments_are_linear();
   const Defaults defaults = defaults_for(linear, lifted);
   settings.insert(defaults.settings.begin(), defaults.settings.end());
+  // MUMPS asks for eleven times what it expects to need. That costs nothing but address space.
+  if (available_memory().limited) settings.insert({"mumps_mem_percent", "50"});
   const std::vector<double> start =
       options.from.empty() ? task.formulation.start(options.start) : options.from;
   const double reach = options.reach.value_or(defaults.reach);
@@ -183,7 +197,12 @@ Outcome solve(const Task& task, const SolverOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const Ipopt::SmartPtr<Nlp> nlp =
       lifted ? make_lifted_nlp(task, start, options.convexify) : make_direct_nlp(task, start);
+  const Ipopt::SmartPtr<MemoryJournal> journal = new MemoryJournal();
+  app->Jnlst()->AddJournal(GetRawPtr(journal));
   const Ipopt::ApplicationReturnStatus status = app->OptimizeTNLP(GetRawPtr(nlp));
+  if (status == Ipopt::Insufficient_Memory ||
+      (journal->ran_out() && termination_of(status) == Termination::failed))
+    throw std::bad_alloc();
 
   Outcome outcome;
   outcome.solve_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -210,13 +229,12 @@ Outcome solve(const Task& task, const SolverOptions& options) {
 }  // namespace
 
 Outcome solve_with_ipopt(const Task& task, const SolverOptions& options) {
-  require_memory(task);
+  const Memory memory = available_memory();
+  require_memory(task, memory);
   try {
     return solve(task, options);
   } catch (const std::bad_alloc&) {
-    throw MemoryError(
-        fmt::format("Ipopt ran out of memory with {} variables of {}; expected a coarser --resolution",
-                    task.formulation.num_variables(), task.formulation.name()));
+    throw too_little(task, memory, "ran out of memory in Ipopt:");
   }
 }
 

@@ -16,8 +16,8 @@ namespace kreisel {
 /// on whether the moments are linear in x; what was in force is in Outcome::settings (docs/rayrep.md says
 /// why).
 ///
-/// @throws InputError   an option or value that Ipopt doesn't know; more variables than memory can hold
-/// @throws MemoryError  there is less than Ipopt turned out to need
+/// @throws InputError   an option or value that Ipopt doesn't know
+/// @throws MemoryError  more variables than memory can hold, or less of it than Ipopt turned out to need
 Outcome solve_with_ipopt(const Task& task, const SolverOptions& options);
 
 /// Version of the Ipopt library, such as "3.11.9".

@@ -12,6 +12,8 @@
 #include "body/hydrostatics.hpp"
 #include "body/mesh_moments.hpp"
 #include "mesh/read.hpp"
+#include "mesh/shapes.hpp"
+#include "mesh/write.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel {
@@ -124,7 +126,8 @@ TEST_F(Bench, AFloatIsWrittenWithTheMassOfTheWaterThatItsOutsideDisplaces) {
 }
 
 TEST_F(Bench, AFloatThatIsTooHeavyEndsWithThreeAndSaysWhatIsOutOfReach) {
-  const BenchAnswer a = bench(fmt::format("{} --problem float --density 3 --json {}", bird, file("r.json")));
+  const BenchAnswer a = bench(fmt::format("{} --problem float --density 3 --json {} --record {}", bird,
+                                          file("r.json"), file("r.h5")));
   EXPECT_EQ(a.code, 3) << a.out;
   EXPECT_NE(a.out.find("  infeasible mass = displaced mass is out of reach by "), std::string::npos) << a.out;
   EXPECT_NE(a.out.find("does not float upright (too heavy"), std::string::npos) << a.out;
@@ -138,6 +141,10 @@ TEST_F(Bench, AFloatThatIsTooHeavyEndsWithThreeAndSaysWhatIsOutOfReach) {
   const double water =
       json.at("verified").at("displaced_mm3").get<double>() * 1e-3 / json.at("solid_mass_g").get<double>();
   EXPECT_NEAR(miss, shell - water, 6e-4 * miss + 1e-6) << "three digits are printed";
+  const std::string shown = bench("show " + file("r.h5")).out;
+  EXPECT_NE(shown.find("  infeasible " + text + "\n"), std::string::npos) << shown;
+  EXPECT_NE(shown.find("  possible   " + json.at("scope").get<std::string>() + "\n"), std::string::npos)
+      << shown;
 }
 
 TEST_F(Bench, TheSteepestTiltIsASequenceOfSolves) {
@@ -189,6 +196,21 @@ TEST_F(Bench, EverySettingOfAProblemCanBeGivenToEveryFormulation) {
       EXPECT_EQ(a.code, 0) << way << ' ' << problem << '\n' << a.out;
       EXPECT_NE(a.out.find("  solve      optimal"), std::string::npos) << a.out;
     }
+}
+
+TEST_F(Bench, PartsThatTouchAlongAnEdgeAreVerifiedInEveryFormat) {
+  const std::string model = file("touching.off");
+  write_mesh(model, {both(box_mesh({0, 0, 0}, {4, 4, 4}), box_mesh({4, 4, 0}, {8, 8, 4}))});
+  for (const char* part : {"part.stl", "part.3mf", "part.ply"}) {
+    const BenchAnswer a = bench(
+        fmt::format("--model {} --resolution 24 --json {} --mesh {}", model, file("r.json"), file(part)));
+    ASSERT_EQ(a.code, 0) << a.out;
+    EXPECT_NE(a.out.find("  verified   spins"), std::string::npos) << part << '\n' << a.out;
+    // Eighths and thirds of a millimetre as floats of up to 8 mm: 5e-7 of 8, at random, in numbers of order
+    // one.
+    EXPECT_LE(json_of(file("r.json")).at("verified").at("rounding_mismatch").get<double>(), 1e-6) << part;
+    EXPECT_EQ(bench("inspect " + file(part)).code, 0) << part;
+  }
 }
 
 TEST_F(Bench, RunsAnExperimentSkipsWhatIsDoneAndShowsIt) {

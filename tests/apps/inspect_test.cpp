@@ -61,6 +61,12 @@ TEST_F(Inspect, ScalesBySize) {
   EXPECT_NEAR(j.at("solid").at("volume_mm3").get<double>(), 6000, 1e-9 * 6000);
 }
 
+TEST_F(Inspect, TakesAFilesLengthsInTheGivenUnit) {
+  const json j = inspect(box_mesh({0, 0, 0}, {1, 2, 3}), "--unit cm --density 2", 0);
+  EXPECT_NEAR(j.at("solid").at("mass_g").get<double>(), 12, 1e-9 * 12);
+  EXPECT_NEAR(j.at("shells").at(0).at("volume").get<double>(), 6, 1e-12) << "in the file's unit";
+}
+
 TEST_F(Inspect, ReportsRepairsAndCavities) {
   const TriangleMesh hollow = both(box_mesh({0, 0, 0}, {3, 3, 3}), inverted(box_mesh({1, 1, 1}, {2, 2, 2})));
   const json j = inspect(inverted(soup(hollow)), "", 0);

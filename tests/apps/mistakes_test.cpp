@@ -65,6 +65,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"--problem balance --set problem.point=1,2", "problem.point = 1,2 for balance; expected"},
         Mistake{"--solver nosuch", "expected one of: ipopt"}, Mistake{"--axis 0,0,0", "no direction"},
         Mistake{"--axis 1,2", "three numbers"}, Mistake{"--density 0", "expected > 0"},
+        Mistake{"--unit ccm", "unit 'ccm' is unknown (did you mean 'cm'?); expected one of: mm, cm, m, in"},
+        Mistake{"--unit inch", "unit 'inch' is unknown; expected one of: mm, cm, m, in"},
+        Mistake{"--model kitten --unit cm",
+                "unit cm for model 'kitten'; expected none with the name of a model"},
+        Mistake{"inspect bunny --unit in",
+                "unit in for model 'bunny'; expected none with the name of a model"},
+        Mistake{"--model part.3mf --unit in",
+                "unit in for model 'part.3mf'; expected none with a file that says what its lengths are in"},
         Mistake{"--size -3", "expected > 0"}, Mistake{"--device nosuch", "'nosuch' not found; expected"},
         Mistake{"--nosuch", "not expected"}, Mistake{"--repeat 0", "expected a whole number >= 1"},
         Mistake{"--mesh /no/such/folder/a.stl", "expected an existing folder"},
@@ -221,6 +229,12 @@ TEST_F(BenchExperiment, WithUnknownKeysSaysTheNearest) {
   refuses("[[run]]\nset.problm.lambda = 1\n", "line 2: ", "(did you mean 'problem'?)");
 }
 
+TEST_F(BenchExperiment, WithASettingOfAProblemAmongTheKeysSaysWhereItBelongs) {
+  refuses("problem = \"stand\"\ntarget = \"inside\"\n[[run]]\n",
+          "line 2: ", "setting 'target' outside 'set', expected set.problem.target");
+  refuses("[[run]]\nfluid-density = 1.1\n", "line 2: ", "expected set.problem.fluid_density");
+}
+
 TEST_F(BenchExperiment, WithUnknownNamesSaysTheNearestBeforeAnythingRuns) {
   const std::string runs = "[[run]]\nresolution = 16\nfineness = 8\n[[run]]\n";
   refuses(runs + "problem = \"spni\"", "line 5: ", "problem 'spni' is unknown (did you mean 'spin'?)");
@@ -234,6 +248,8 @@ TEST_F(BenchExperiment, WithUnknownNamesSaysTheNearestBeforeAnythingRuns) {
 
 TEST_F(BenchExperiment, WithUnfitValuesSaysTheLine) {
   refuses("[[run]]\nresolution = [16, 0]\n", "line 2: ", "resolution = '0'; expected cells");
+  refuses("[[run]]\nunit = [\"mm\", \"km\"]\n", "line 2: ", "unit 'km' is unknown (did you mean 'mm'?)");
+  refuses("[[run]]\nunit = \"cm\"\n", "experiment trial: ", "unit cm for model 'ellipsoid'; expected none");
   refuses("[[run]]\naxis = [0, 0, 1]\n", "line 2: ", "expected three numbers x,y,z");
 }
 

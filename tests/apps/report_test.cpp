@@ -1,44 +1,23 @@
 // report_test.cpp - `bench report` and the scripts of plots/ as a user runs them, on a tiny experiment.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+
+#include "apps/run_bench.hpp"
 
 namespace kreisel {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Answer {
-  int code;
-  std::string out;  ///< standard output and error together
-};
-
-Answer call(const std::string& command) {
-  std::FILE* pipe = popen((command + " 2>&1 </dev/null").c_str(), "r");
-  Answer answer{-1, {}};
-  std::array<char, 4096> block;
-  while (const std::size_t n = std::fread(block.data(), 1, block.size(), pipe))
-    answer.out.append(block.data(), n);
-  const int status = pclose(pipe);
-  answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return answer;
-}
-
-Answer bench(const std::string& arguments, const std::string& environment = "") {
-  return call(fmt::format("{} ASAN_OPTIONS=detect_leaks=0 '{}' {}", environment, KREISEL_BENCH, arguments));
-}
-
-Answer plot(const std::string& script, const std::string& arguments) {
-  return call(fmt::format("/usr/bin/python3 '{}/plots/{}.py' {}", KREISEL_SOURCE, script, arguments));
+BenchAnswer plot(const std::string& script, const std::string& arguments) {
+  return shell(fmt::format("/usr/bin/python3 '{}/plots/{}.py' {}", KREISEL_SOURCE, script, arguments));
 }
 
 std::string content_of(const fs::path& file) {
@@ -75,13 +54,13 @@ class Report : public ::testing::Test {
   static std::string file(const std::string& name) { return (folder_ / name).string(); }
 
   static inline fs::path folder_;
-  static inline Answer ran_;
+  static inline BenchAnswer ran_;
 };
 
 TEST_F(Report, IsOnePageWithTablesFiguresAndProvenance) {
   ASSERT_EQ(ran_.code, 4) << ran_.out;  // the run from nowhere failed
-  const Answer a = bench(fmt::format("report {} {} --results {} -o {}", file("tiny.toml"), file("other.toml"),
-                                     file("runs"), file("page.html")));
+  const BenchAnswer a = bench(fmt::format("report {} {} --results {} -o {}", file("tiny.toml"),
+                                          file("other.toml"), file("runs"), file("page.html")));
   ASSERT_EQ(a.code, 0) << a.out;
   const std::string page = content_of(file("page.html"));
   EXPECT_NE(page.find("A tiny &amp; simple experiment</h2>"), std::string::npos);
@@ -105,7 +84,7 @@ TEST_F(Report, IsOnePageWithTablesFiguresAndProvenance) {
 
 TEST_F(Report, SaysInOneLineThatNothingIsOnRecord) {
   for (const std::string arguments : {"", "rayrep_table2"}) {
-    const Answer a =
+    const BenchAnswer a =
         bench(fmt::format("report {} --results {} -o {}", arguments, file("none"), file("none.html")));
     EXPECT_EQ(a.code, 2) << a.out;
     EXPECT_EQ(std::ranges::count(a.out, '\n'), 1) << a.out;
@@ -117,14 +96,14 @@ TEST_F(Report, SaysInOneLineThatNothingIsOnRecord) {
 TEST_F(Report, SaysInOneLineThatPythonOrItsModulesAreMissing) {
   const std::string arguments =
       fmt::format("report {} --results {} -o {}", file("tiny.toml"), file("runs"), file("missing.html"));
-  const Answer without = bench(arguments, "KREISEL_PYTHON=/no/such/python3");
+  const BenchAnswer without = bench(arguments, "KREISEL_PYTHON=/no/such/python3");
   EXPECT_EQ(without.code, 2) << without.out;
   EXPECT_EQ(std::ranges::count(without.out, '\n'), 1) << without.out;
   EXPECT_NE(without.out.find("/no/such/python3"), std::string::npos) << without.out;
   // A module of that name that cannot be imported stands for one that is not there.
   fs::create_directories(folder_ / "broken");
   std::ofstream(folder_ / "broken" / "matplotlib.py") << "raise ImportError(name='matplotlib')\n";
-  const Answer bare = bench(arguments, fmt::format("PYTHONPATH='{}'", file("broken")));
+  const BenchAnswer bare = bench(arguments, fmt::format("PYTHONPATH='{}'", file("broken")));
   EXPECT_EQ(bare.code, 2) << bare.out;
   EXPECT_EQ(std::ranges::count(bare.out, '\n'), 1) << bare.out;
   EXPECT_NE(bare.out.find("expected h5py and matplotlib"), std::string::npos) << bare.out;
@@ -133,7 +112,7 @@ TEST_F(Report, SaysInOneLineThatPythonOrItsModulesAreMissing) {
 
 TEST_F(Report, LeavesAnEarlierPageAloneWhenItCannotBeWritten) {
   fs::create_directories(folder_ / "taken.html");
-  const Answer a =
+  const BenchAnswer a =
       bench(fmt::format("report {} --results {} -o {}", file("tiny.toml"), file("runs"), file("taken.html")));
   EXPECT_EQ(a.code, 2) << a.out;
   EXPECT_NE(a.out.find("taken.html"), std::string::npos) << a.out;
@@ -143,7 +122,7 @@ TEST_F(Report, LeavesAnEarlierPageAloneWhenItCannotBeWritten) {
 TEST_F(Report, DrawsEveryFigureOfAFolderAlone) {
   for (const std::string script : {"settings", "history", "inertia", "published"}) {
     const std::string png = file(script + ".png");
-    const Answer a = plot(script, fmt::format("{} -o {}", file("runs/tiny"), png));
+    const BenchAnswer a = plot(script, fmt::format("{} -o {}", file("runs/tiny"), png));
     EXPECT_EQ(a.code, 0) << a.out;
     EXPECT_EQ(content_of(png).substr(0, 8), "\x89PNG\r\n\x1a\n") << script;
     EXPECT_GT(fs::file_size(png), 10'000u) << script << ": hardly anything drawn";
@@ -153,7 +132,7 @@ TEST_F(Report, DrawsEveryFigureOfAFolderAlone) {
 TEST_F(Report, FiguresRefuseFoldersWithoutRecordsInOneLine) {
   fs::create_directories(folder_ / "empty");
   for (const std::string script : {"settings", "history", "inertia", "published", "speedup"}) {
-    const Answer a = plot(script, fmt::format("{} -o {}", file("empty"), file("empty.png")));
+    const BenchAnswer a = plot(script, fmt::format("{} -o {}", file("empty"), file("empty.png")));
     EXPECT_EQ(a.code, 2) << a.out;
     EXPECT_EQ(std::ranges::count(a.out, '\n'), 1) << a.out;
     EXPECT_NE(a.out.find("no records"), std::string::npos) << a.out;

@@ -12,6 +12,8 @@
 #include "body/models/debian_meshes.hpp"
 #include "body/test_meshes.hpp"
 #include "error.hpp"
+#include "mesh/write.hpp"
+#include "refusal.hpp"
 #include "temporary_folder.hpp"
 #include "test_device.hpp"
 
@@ -155,13 +157,44 @@ TEST(Body, AxisToZIsARotationForEveryAxisEvenTheOpposite) {
 }
 
 void refuses(const BodySpec& spec, const std::vector<std::string>& parts) {
-  try {
-    (void)make_body(spec, test_device());
-    FAIL() << "accepted; expected a message with " << parts.front();
-  } catch (const InputError& e) {
-    const std::string text = e.what();
-    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
-    for (const auto& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << " in: " << text;
+  expect_refusal([&] { (void)make_body(spec, test_device()); }, "", parts);
+}
+
+TEST_F(BodyOfABox, IsTakenInTheGivenUnitFromEveryFormatWithoutOne) {
+  const TriangleMesh mesh = box_mesh(Vec3::Zero(), {20, 10, 5});
+  for (const char* format : {"stl", "obj", "ply", "off"})
+    for (const auto& [unit, factor] : {std::pair{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}}) {
+      BodySpec spec;
+      spec.model = (folder_.path / fmt::format("brick.{}", format)).string();
+      write_mesh(spec.model, {mesh});
+      spec.unit = find_length_unit(unit);
+      const Body body = make_body(spec, test_device());
+      EXPECT_NEAR(body.frame.length, 10 * factor, 10 * factor * tolerance()) << format << ' ' << unit;
+      EXPECT_EQ(bounding_box(body.mesh).hi, Vec3(factor * Vec3(20, 10, 5))) << format << ' ' << unit;
+    }
+}
+
+TEST_F(BodyOfABox, IsScaledToItsSizeAfterItsUnit) {
+  BodySpec s = spec();
+  s.unit = find_length_unit("in");
+  s.size = 50;
+  const Body body = make_body(s, test_device());
+  EXPECT_LE((bounding_box(body.mesh).hi - Vec3(50, 25, 12.5)).norm(), 50 * 0x1p-52);
+  s.size.reset();
+  s.contact = Vec3(254, 127, 0);
+  EXPECT_EQ(make_body(s, test_device()).contact, Vec3(254, 127, 0)) << "in mm, whatever the file is in";
+}
+
+TEST_F(BodyOfABox, TakesNoUnitWhereThereIsOne) {
+  BodySpec s;
+  s.model = (folder_.path / "brick.3mf").string();
+  write_mesh(s.model, {box_mesh(Vec3::Zero(), {20, 10, 5})});
+  EXPECT_NEAR(make_body(s, test_device()).frame.length, 10, 10 * tolerance());
+  s.unit = find_length_unit("mm");
+  refuses(s, {"unit mm", "brick.3mf", "expected none with a file that says what its lengths are in"});
+  for (const char* name : {"ellipsoid", "bunny"}) {
+    s.model = name;
+    refuses(s, {"unit mm", name, "expected none with the name of a model"});
   }
 }
 

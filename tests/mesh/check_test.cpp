@@ -5,7 +5,7 @@
 #include <string>
 
 #include "body/models/geodesic.hpp"
-#include "error.hpp"
+#include "refusal.hpp"
 
 namespace kreisel {
 namespace {
@@ -16,16 +16,7 @@ TriangleMesh tetrahedron() {
 }
 
 void refuses(const TriangleMesh& mesh, const std::vector<std::string>& parts) {
-  try {
-    require_solid(mesh, "part.stl");
-    FAIL() << "accepted";
-  } catch (const InputError& e) {
-    const std::string text = e.what();
-    EXPECT_EQ(text.find("part.stl: "), 0u) << text;
-    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
-    EXPECT_NE(text.find("expected"), std::string::npos) << text;
-    for (const auto& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << " in: " << text;
-  }
+  expect_refusal([&] { require_solid(mesh, "part.stl"); }, "part.stl: ", parts);
 }
 
 TEST(Check, AcceptsATetrahedronAndMeasuresIt) {

@@ -6,43 +6,32 @@
 #include <random>
 
 #include "body/models/geodesic.hpp"
-#include "error.hpp"
 #include "mesh/check.hpp"
 #include "mesh/shapes.hpp"
+#include "refusal.hpp"
 
 namespace kreisel {
 namespace {
 
 void refuses(const TriangleMesh& mesh, const std::vector<std::string>& parts) {
-  RepairReport report;
-  try {
-    (void)make_solid(mesh, "part.stl", report);
-    FAIL() << "accepted";
-  } catch (const InputError& e) {
-    const std::string text = e.what();
-    EXPECT_EQ(text.find("part.stl: "), 0u) << text;
-    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
-    EXPECT_NE(text.find("expected"), std::string::npos) << text;
-    for (const auto& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << " in: " << text;
-  }
+  expect_refusal([&] { (void)make_solid(mesh, "part.stl"); }, "part.stl: ", parts);
 }
 
 const TriangleMesh cube = box_mesh({0, 0, 0}, {3, 3, 3});
 
 TEST(MakeSolid, MendsWhatIsSafeAndSaysSo) {
-  RepairReport report;
-  const TriangleMesh solid = make_solid(inverted(soup(cube)), "cube", report);
-  EXPECT_DOUBLE_EQ(inspect(solid).volume, 27);
-  EXPECT_EQ(report.lines,
+  const SolidMesh solid = make_solid(inverted(soup(cube)), "cube");
+  EXPECT_DOUBLE_EQ(inspect(solid.mesh).volume, 27);
+  EXPECT_EQ(solid.repairs.lines,
             (std::vector<std::string>{"merged 28 equal vertices", "turned 1 inside-out shell"}));
 }
 
 TEST(MakeSolid, KeepsCavitiesAndIslandsWithinThem) {
-  RepairReport report;
   TriangleMesh mesh = both(cube, inverted(box_mesh({1, 1, 1}, {2, 2, 2})));
   mesh = both(mesh, box_mesh({1.25, 1.25, 1.25}, {1.75, 1.75, 1.75}));
-  EXPECT_DOUBLE_EQ(inspect(make_solid(mesh, "nested", report)).volume, 27 - 1 + 0.125);
-  EXPECT_EQ(report.lines,
+  const SolidMesh solid = make_solid(mesh, "nested");
+  EXPECT_DOUBLE_EQ(inspect(solid.mesh).volume, 27 - 1 + 0.125);
+  EXPECT_EQ(solid.repairs.lines,
             (std::vector<std::string>{"kept 1 cavity, a shell inside the solid that faces inward"}));
 }
 
@@ -78,9 +67,8 @@ TEST(MakeSolid, RefusesOpenCrowdedFlatAndOneSidedSurfaces) {
 }
 
 TEST(MakeSolid, AcceptsSolidsThatTouchAlongAnEdge) {
-  RepairReport report;
   const TriangleMesh touching = both(cube, box_mesh({3, 3, 0}, {4, 4, 3}));
-  EXPECT_DOUBLE_EQ(inspect(make_solid(soup(touching), "touching", report)).volume, 30);
+  EXPECT_DOUBLE_EQ(inspect(make_solid(soup(touching), "touching").mesh).volume, 30);
 }
 
 /// The faces between filled and empty cells of a grid, as STL would have them: no shared vertices.
@@ -110,8 +98,7 @@ TEST(MakeSolid, JoinsThroughAnEdgeWhatHangsTogetherAroundBothItsEnds) {
   // Two cells side by side diagonally, with full layers below and above: they cannot be taken apart there.
   std::vector<bool> filled(27, true);
   for (const int cell : {0 * 9 + 0 * 3 + 1, 1 * 9 + 1 * 3 + 1}) filled[std::size_t(cell)] = false;
-  RepairReport report;
-  const TriangleMesh solid = make_solid(cells(filled, 3), "cells", report);
+  const TriangleMesh solid = make_solid(cells(filled, 3), "cells").mesh;
   EXPECT_DOUBLE_EQ(inspect(solid).volume, 25);
   EXPECT_EQ(inspect(solid).crowded.count, 0u);
 }
@@ -123,10 +110,9 @@ TEST(MakeSolid, MendsEveryHeapOfCellsThatTouchAlongEdgesAndCorners) {
     const auto percent = 20 + random() % 50;
     for (std::size_t c = 0; c < filled.size(); ++c) filled[c] = random() % 100 < percent;
     const auto count = std::count(filled.begin(), filled.end(), true);
-    RepairReport report;
     TriangleMesh mesh = cells(filled, 4);
     if (repeat % 2) mesh = inverted(mesh);
-    const TriangleMesh solid = make_solid(mesh, "cells", report);
+    const TriangleMesh solid = make_solid(mesh, "cells").mesh;
     EXPECT_NEAR(inspect(solid).volume, double(count), 1e-12 * double(count))
         << repeat;  // sums of whole numbers
   }

@@ -59,6 +59,8 @@ RunResult made_by_hand() {
   r.variables = 4;
   r.outcome.termination = Termination::acceptable;
   r.outcome.message = "solved to acceptable level";
+  r.scope = "with up to 2 g/cm^3";
+  r.infeasibility = "mass is out of reach by 0.5";
   r.outcome.iterations = 2;
   r.outcome.x = {0.25, 2.5, 1.5, 3.75};
   r.outcome.objective = 0.75;
@@ -72,6 +74,7 @@ RunResult made_by_hand() {
   r.rounding.solid_voxels = 4;
   r.rounding.void_voxels = 2;
   r.rounding.mended_voxels = 1;
+  r.rounding.moved_voxels = 3;
   r.verified.verdict = {true, "spins", {{"off_axis", 1e-5}, {"omega_min_rpm", nan}}};
   r.verified.file = "part.stl";
   r.verified.triangles = 100;
@@ -131,6 +134,9 @@ TEST_F(Record, GivesBackWhatWasWritten) {
   EXPECT_EQ(s.rounded_objective, 0.76);
   EXPECT_EQ(s.rounded_violation, 1e-4);
   EXPECT_EQ(s.mended_voxels, 1u);
+  EXPECT_EQ(s.moved_voxels, 3u);
+  EXPECT_EQ(s.scope, r.scope);
+  EXPECT_EQ(s.infeasibility, r.infeasibility);
   EXPECT_TRUE(s.verified_ok);
   EXPECT_EQ(s.verified_text, "spins");
   expect_equal(s.median, r.median);

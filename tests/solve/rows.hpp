@@ -9,11 +9,14 @@
 namespace kreisel {
 
 /// Feasible or not, whatever the value: szz.
-class Rows final : public Problem {
+class Rows : public Problem {
  public:
   static constexpr double free = std::numeric_limits<double>::infinity();
 
-  explicit Rows(Goal goal = Goal::value) : goal_(goal) { constraints_.matrix.resize(0, 10); }
+  explicit Rows(Goal goal = Goal::value, Filling filling = Filling::from_below)
+      : goal_(goal), filling_(filling) {
+    constraints_.matrix.resize(0, 10);
+  }
 
   Rows& add(const std::string& name, const Moments& form, double lower, double upper) {
     const Eigen::Index rows = constraints_.matrix.rows();
@@ -29,7 +32,7 @@ class Rows final : public Problem {
 
   [[nodiscard]] std::string_view name() const override { return "rows"; }
   [[nodiscard]] Convexity convexity() const override { return Convexity::linear; }
-  [[nodiscard]] Traits traits() const override { return {Filling::from_below}; }
+  [[nodiscard]] Traits traits() const override { return {filling_}; }
   [[nodiscard]] Goal goal() const override { return goal_; }
   [[nodiscard]] double value(const Moments& s) const override { return s[SZZ]; }
   [[nodiscard]] Moments gradient(const Moments&) const override { return Moments::Unit(SZZ); }
@@ -39,6 +42,7 @@ class Rows final : public Problem {
 
  private:
   Goal goal_;
+  Filling filling_;
   LinearConstraints constraints_;
 };
 

@@ -6,30 +6,19 @@
 
 #include "domain/test_bodies.hpp"
 #include "formulation/formulation.hpp"
+#include "solve/rows.hpp"
 #include "solve/solver.hpp"
 #include "test_device.hpp"
 
 namespace kreisel {
 
 /// Minimise szz subject to s1 = mass, sx = sy = 0. Over a domain above z = 0 the optimum fills it from below.
-class LowestMass final : public Problem {
+class LowestMass final : public Rows {
  public:
-  explicit LowestMass(double mass) {
-    constraints_.matrix.setZero(3, 10);
-    constraints_.matrix(0, S1) = constraints_.matrix(1, SX) = constraints_.matrix(2, SY) = 1;
-    constraints_.lower = constraints_.upper = Eigen::Vector3d(mass, 0, 0);
-    constraints_.names = {"s1 = mass", "sx = 0", "sy = 0"};
+  explicit LowestMass(double mass) : Rows(Goal::value, Filling::segment) {
+    add("s1 = mass", Moments::Unit(S1), mass, mass);
+    add("sx = 0", Moments::Unit(SX), 0, 0).add("sy = 0", Moments::Unit(SY), 0, 0);
   }
-  [[nodiscard]] std::string_view name() const override { return "lowest mass"; }
-  [[nodiscard]] Convexity convexity() const override { return Convexity::linear; }
-  [[nodiscard]] double value(const Moments& s) const override { return s[SZZ]; }
-  [[nodiscard]] Moments gradient(const Moments&) const override { return Moments::Unit(SZZ); }
-  [[nodiscard]] Matrix10 hessian(const Moments&) const override { return Matrix10::Zero(); }
-  [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
-  [[nodiscard]] Verdict verify(const Moments&, double) const override { return {}; }
-
- private:
-  LinearConstraints constraints_;
 };
 
 /// The box [-0.5,0.5] x [-0.375,0.375] x [0,1.25] in cells of 1/8; its interior, one cell in from each side,

@@ -17,7 +17,7 @@ namespace {
 /// Before hours of work: names of models and files that are looked up in the course of it or after it.
 void require_names(const Experiment& experiment) {
   try {
-    for (const ExperimentRun& run : experiment.runs) require_known_model(run.config.body.model);
+    for (const ExperimentRun& run : experiment.runs) require_known_source(run.config.body);
     if (!experiment.published.empty()) (void)published_file(experiment.published);
     for (const std::string& figure : experiment.figures) (void)figure_file(figure);
   } catch (const InputError& error) {

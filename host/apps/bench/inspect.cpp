@@ -13,9 +13,7 @@
 #include "error.hpp"
 #include "file/write_text.hpp"
 #include "mesh/check.hpp"
-#include "mesh/components.hpp"
-#include "mesh/repair.hpp"
-#include "mesh/self_intersections.hpp"
+#include "mesh/solid.hpp"
 #include "problem/problem.hpp"
 
 namespace kreisel::bench {
@@ -23,16 +21,11 @@ namespace {
 
 using nlohmann::json;
 
-/// What can be said of any mesh, solid or not. Lengths in the file's unit.
-struct Surface {
+/// A mesh before its repairs.
+struct AsRead {
   std::string format;
-  std::size_t vertices = 0, triangles = 0;  ///< as read
-  MeshReport report;                        ///< as read
-  RepairReport repairs;
-  TriangleMesh mesh;  ///< repaired
-  std::vector<Shell> shells;
-  std::vector<std::vector<std::uint32_t>> enclosing;
-  std::vector<std::array<std::uint32_t, 2>> crossings;  ///< pairs of triangles
+  std::size_t vertices = 0, triangles = 0;
+  MeshReport report;
 };
 
 /// What can be said of a solid. Millimetres, grams, model coordinates.
@@ -44,28 +37,9 @@ struct Solid {
   std::vector<std::pair<std::string_view, Verdict>> verdicts;
 };
 
-Surface look_at_surface(const BodySpec& spec) {
-  Source source = load_source(spec);
-  Surface s;
-  s.format = source.format;
-  TriangleMesh mesh = std::move(source.mesh);
-  s.vertices = mesh.vertices.size();
-  s.triangles = mesh.triangles.size();
-  s.report = inspect(mesh);
-  s.mesh = repaired(std::move(mesh), s.repairs);
-  s.shells = shells(s.mesh);
-  s.enclosing = enclosing_shells(s.mesh, s.shells);
-  s.crossings = self_intersections(s.mesh);
-  return s;
-}
-
 /// What each problem says of the solid as it is.
-std::vector<std::pair<std::string_view, Verdict>> verdicts(const BodySpec& spec, const Body& body,
-                                                           device::Device& device) {
+std::vector<std::pair<std::string_view, Verdict>> verdicts(const Body& body, const Body& standing) {
   std::vector<std::pair<std::string_view, Verdict>> all;
-  BodySpec upright = spec;
-  upright.stands_upright = true;
-  const Body standing = make_body(upright, device);
   for (const ProblemEntry& entry : problems()) {
     if (!entry.for_solid) continue;
     const Body& posed = entry.upright ? standing : body;
@@ -101,34 +75,36 @@ std::string text(const Vec3& v, const char* between = ", ") {
   return fmt::format("{:.6g}{}{:.6g}{}{:.6g}", v[0], between, v[1], between, v[2]);
 }
 
-void print_checks(const Surface& s) {
-  const MeshReport& r = s.report;
-  fmt::print("  file       {}: {} vertices, {} triangles\n", s.format, s.vertices, s.triangles);
+void print_checks(const AsRead& as_read, Surface& s) {
+  const MeshReport& r = as_read.report;
+  fmt::print("  file       {}: {} vertices, {} triangles\n", as_read.format, as_read.vertices,
+             as_read.triangles);
   fmt::print("  edges      {} open, {} of more than two triangles, {} along which two run the same way\n",
              r.open.count, r.crowded.count, r.misoriented.count);
   fmt::print("  triangles  {} using a vertex twice, {} without area, {} repeated\n", r.repeated_count,
              r.flat_count, r.duplicate_count);
   fmt::print("  vertices   {} equal to another, {} unused, {} at which parts merely touch\n",
              r.equal_vertex_count, r.unused_vertex_count, r.pinched_vertex_count);
-  if (s.repairs.lines.empty()) fmt::print("  repairs    none\n");
-  for (const std::string& line : s.repairs.lines) fmt::print("  repaired   {}\n", line);
-  fmt::print("  crossings  {} pairs of triangles run through each other{}\n", s.crossings.size(),
-             s.crossings.empty() ? ""
-                                 : fmt::format(", the first {} and {}", s.crossings.front()[0] + 1,
-                                               s.crossings.front()[1] + 1));
+  if (s.repairs().lines.empty()) fmt::print("  repairs    none\n");
+  for (const std::string& line : s.repairs().lines) fmt::print("  repaired   {}\n", line);
+  const auto& pairs = s.crossings();
+  fmt::print(
+      "  crossings  {} pairs of triangles run through each other{}\n", pairs.size(),
+      pairs.empty() ? "" : fmt::format(", the first {} and {}", pairs.front()[0] + 1, pairs.front()[1] + 1));
 }
 
-void print_shells(const Surface& s) {
+void print_shells(Surface& s) {
   constexpr std::size_t most_lines = 20;
-  fmt::print("  shells     {}\n", s.shells.size());
-  for (std::size_t i = 0; i < s.shells.size() && i < most_lines; ++i) {
-    const Shell& shell = s.shells[i];
+  const auto& shells = s.shells();
+  fmt::print("  shells     {}\n", shells.size());
+  for (std::size_t i = 0; i < shells.size() && i < most_lines; ++i) {
+    const Shell& shell = shells[i];
     fmt::print("    {:<8} {} triangles, {}, Euler characteristic {}{}, volume {:.6g}{}\n", i + 1,
                shell.triangles.size(), shell.closed ? "closed" : "open", shell.euler,
                shell.genus ? fmt::format(", genus {}", *shell.genus) : "", shell.volume,
-               s.enclosing[i].empty() ? "" : fmt::format(", inside {} other", s.enclosing[i].size()));
+               s.enclosing()[i].empty() ? "" : fmt::format(", inside {} other", s.enclosing()[i].size()));
   }
-  if (s.shells.size() > most_lines) fmt::print("    and {} more\n", s.shells.size() - most_lines);
+  if (shells.size() > most_lines) fmt::print("    and {} more\n", shells.size() - most_lines);
 }
 
 void print_solid(const Solid& s, double density) {
@@ -144,21 +120,22 @@ void print_solid(const Solid& s, double density) {
 
 json array(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
-json to_json(const Surface& s) {
-  const MeshReport& r = s.report;
+json to_json(const AsRead& as_read, Surface& s) {
+  const MeshReport& r = as_read.report;
+  const auto& pairs = s.crossings();
   json shells = json::array();
-  for (std::size_t i = 0; i < s.shells.size(); ++i) {
-    const Shell& shell = s.shells[i];
+  for (std::size_t i = 0; i < s.shells().size(); ++i) {
+    const Shell& shell = s.shells()[i];
     shells.push_back({{"triangles", shell.triangles.size()},
                       {"closed", shell.closed},
                       {"euler", shell.euler},
                       {"genus", shell.genus ? json(*shell.genus) : json()},
                       {"volume", shell.volume},
-                      {"depth", s.enclosing[i].size()}});
+                      {"depth", s.enclosing()[i].size()}});
   }
-  return {{"format", s.format},
-          {"vertices", s.vertices},
-          {"triangles", s.triangles},
+  return {{"format", as_read.format},
+          {"vertices", as_read.vertices},
+          {"triangles", as_read.triangles},
           {"checks",
            {{"open_edges", r.open.count},
             {"crowded_edges", r.crowded.count},
@@ -169,9 +146,9 @@ json to_json(const Surface& s) {
             {"equal_vertices", r.equal_vertex_count},
             {"unused_vertices", r.unused_vertex_count},
             {"pinched_vertices", r.pinched_vertex_count},
-            {"self_intersections", s.crossings.size()},
-            {"first_self_intersection", s.crossings.empty() ? json() : json(s.crossings.front())}}},
-          {"repairs", s.repairs.lines},
+            {"self_intersections", pairs.size()},
+            {"first_self_intersection", pairs.empty() ? json() : json(pairs.front())}}},
+          {"repairs", s.repairs().lines},
           {"shells", shells}};
 }
 
@@ -195,21 +172,27 @@ int inspect_model(const InspectOptions& options) {
   const BodySpec& spec = options.config.body;
   require_writable(options.json_file, "--json");
   const bool only_json = options.json_file == "-";
-  const Surface surface = look_at_surface(spec);
-  json summary = to_json(surface);
+  Source source = load_source(spec);
+  const AsRead as_read{source.format, source.mesh.vertices.size(), source.mesh.triangles.size(),
+                       inspect(source.mesh)};
+  Surface surface(std::move(source.mesh));
+  json summary = to_json(as_read, surface);
   summary["model"] = spec.model;
   if (!only_json) {
     fmt::print("{}\n", spec.model);
-    print_checks(surface);
+    print_checks(as_read, surface);
     print_shells(surface);
   }
   std::exception_ptr refusal;
   summary["solid"] = summary["error"] = nullptr;
   try {
     device::Device device(options.config.device);
-    const Body body = make_body(spec, device);
+    source = as_solid(std::move(source), surface, spec.model);
+    BodySpec upright = spec;
+    upright.stands_upright = true;
+    const Body body = make_body(spec, source, device);
     Solid solid = look_at_solid(body);
-    solid.verdicts = verdicts(spec, body, device);
+    solid.verdicts = verdicts(body, make_body(upright, source, device));
     summary["repairs"] = body.repairs;
     summary["solid"] = to_json(solid);
     if (!only_json) print_solid(solid, body.density);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <new>
 #include <string_view>
 #include <tuple>
@@ -13,10 +15,10 @@
 #include "apps/bench/outputs.hpp"
 #include "device/device.hpp"
 #include "error.hpp"
+#include "memory.hpp"
 #include "nearest.hpp"
 #include "run/build_info.hpp"
 #include "solve/interrupt.hpp"
-#include "solve/memory.hpp"
 
 namespace {
 
@@ -35,6 +37,7 @@ constexpr std::pair<const char*, const char*> fields[] = {
     {"axis", "spin axis x,y,z in model coordinates; default up"},
     {"contact", "a point of the axis, mm; default the lowest point along it"},
     {"up", "up direction x,y,z; default the model's, else 0,0,1"},
+    {"unit", "of an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm"},
     {"size", "longest side in mm; default as the model is"},
     {"density", "g/cm^3; default 1"},
     {"void-density", "of what fills the voids, g/cm^3; default 0"},
@@ -88,7 +91,7 @@ void add_inspect_options(CLI::App& app, Parsed& parsed) {
   for (const auto& [name, help] : fields) {
     const std::string_view field = name;
     if (field == "model") add_field(app, parsed, "model,--model", name, help);
-    for (const char* used : {"axis", "contact", "up", "size", "density", "fineness", "device"})
+    for (const char* used : {"axis", "contact", "up", "unit", "size", "density", "fineness", "device"})
       if (field == used) add_field(app, parsed, fmt::format("--{}", name), name, help);
   }
   app.get_option("--model")->required();
@@ -181,17 +184,23 @@ int dispatch(int argc, char** argv) {
   return run_once(parsed.once);
 }
 
-}  // namespace
+/// Prints the one line of an error. @return  the code
+int say(std::string_view what, int code) {
+  std::fflush(stdout);
+  fmt::print(stderr, "bench: {}\n", what);
+  return code;
+}
 
-int main(int argc, char** argv) {
-  kreisel::catch_interrupts();
-  // A file that may not grow fails as on a full disk: the write says so and what is begun is removed.
-  std::signal(SIGXFSZ, SIG_IGN);
-  const auto say = [](std::string_view what, int code) {
-    std::fflush(stdout);
-    fmt::print(stderr, "bench: {}\n", what);
-    return code;
-  };
+int say_memory_ran_out() {
+  const kreisel::Memory memory = kreisel::available_memory();
+  return say(
+      fmt::format("not enough memory, {} {:.2g} GiB; expected more, a coarser --resolution or a mesh of "
+                  "fewer triangles",
+                  memory.of, memory.bytes / (1 << 30)),
+      not_converged);
+}
+
+int run(int argc, char** argv) {
   try {
     const int code = dispatch(argc, argv);
     flush_output();
@@ -203,9 +212,35 @@ int main(int argc, char** argv) {
   } catch (const kreisel::MemoryError& error) {
     return say(error.what(), not_converged);
   } catch (const std::bad_alloc&) {
-    return say("not enough memory; expected a coarser --resolution or a mesh of fewer triangles",
-               not_converged);
+    return say_memory_ran_out();
   } catch (const std::exception& error) {
     return say(fmt::format("internal error: {}", error.what()), 1);
   }
+}
+
+/// What a library's thread throws reaches no catch of ours.
+[[noreturn]] void on_terminate() {
+  try {
+    if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    std::_Exit(say_memory_ran_out());
+  } catch (const std::exception& error) {
+    std::_Exit(say(fmt::format("internal error: {}", error.what()), 1));
+  } catch (...) {
+  }
+  std::abort();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kreisel::catch_interrupts();
+  std::set_terminate(on_terminate);
+  // A file that may not grow fails as on a full disk: the write says so and what is begun is removed.
+  std::signal(SIGXFSZ, SIG_IGN);
+  const int code = run(argc, argv);
+  std::fflush(stdout);
+  // Without the goodbyes of libraries: OpenBLAS' waits for its threads, which, where memory is short, wait
+  // for memory.
+  std::_Exit(code);
 }

@@ -31,12 +31,14 @@ void print(const RecordSummary& r) {
   fmt::print("  run        {} {} x {} x {}, {} by {} with {}: {} rays, {} voxels, {} variables\n", r.model,
              r.grid[0], r.grid[1], r.grid[2], r.problem, r.formulation, r.solver, r.rays, r.interior_voxels,
              r.variables);
+  if (!r.scope.empty()) fmt::print("  possible   {}\n", r.scope);
   fmt::print("  solve      {} ({}), {} iterations, objective {:.6f}, violation {:.1e}\n", r.termination,
              r.message, r.iterations, r.objective, r.violation);
+  if (!r.infeasibility.empty()) fmt::print("  infeasible {}\n", r.infeasibility);
   fmt::print("  time       {:.3f} s solve ({:.3f} s in kernels), {:.3f} s set-up; median of {}\n",
              r.median.solve, r.median.kernels, r.median.setup, r.samples.size());
-  fmt::print("  rounded    objective {:.6f}, violation {:.1e}, {} voxels mended\n", r.rounded_objective,
-             r.rounded_violation, r.mended_voxels);
+  fmt::print("  rounded    objective {:.6f}, violation {:.1e}, {} voxels mended, {} moved\n",
+             r.rounded_objective, r.rounded_violation, r.mended_voxels, r.moved_voxels);
   fmt::print("  verified   {}\n", r.verified_text);
   fmt::print("  made       {} by {} on {}\n", r.started, r.commit, r.device);
   fmt::print("  config    ");

@@ -1,0 +1,30 @@
+// settings_test.cpp - what the registry says of the settings of each problem.
+#include <gtest/gtest.h>
+
+#include "domain/test_bodies.hpp"
+#include "problem/problem.hpp"
+#include "refusal.hpp"
+
+namespace kreisel {
+namespace {
+
+TEST(ProblemSettings, OfTheRegistryAreThoseThatEachProblemTakes) {
+  const std::map<std::string_view, ProblemSettings> valid = {
+      {"spin", {{"lambda", "0"}, {"gamma_i", "1"}}},
+      {"stand", {{"target", "inside"}, {"margin", "0.1"}, {"base", "2%"}}},
+      {"float", {{"draft", "60%"}, {"fluid_density", "1.2"}}},
+      {"balance", {{"point", "0,0,0"}, {"line", "0,1,0"}}}};
+  const Body body = body_of(box_mesh({-0.5, -0.25, 0}, {0.5, 0.25, 2}), 10);
+  for (const ProblemEntry& entry : problems()) {
+    ASSERT_TRUE(valid.contains(entry.name)) << entry.name;
+    const ProblemSettings& settings = valid.at(entry.name);
+    EXPECT_NE(entry.make(settings, body), nullptr) << entry.name;
+    EXPECT_EQ(entry.settings.size(), settings.size()) << entry.name;
+    for (const std::string_view name : entry.settings)
+      EXPECT_TRUE(settings.contains(std::string(name))) << entry.name << ' ' << name;
+    expect_refusal([&] { (void)entry.make({{"nosuch", "1"}}, body); }, "problem.nosuch = 1", {});
+  }
+}
+
+}  // namespace
+}  // namespace kreisel
