@@ -1,8 +1,8 @@
 /* reduce10.h - joins a work-group's ten sums (or SUMS) into one partial row.
  *
  * Every item holds SUMS accumulators of LANES sums; after one barrier, items 0..SUMS-1 (as far as there are) each
- * join the GROUP sums of one of them in a fixed order. No atomics and no scheduling in the result: it depends on (n, block,
- * WG, LANES) alone.
+ * join the GROUP sums of one of them in a fixed order. No atomics and no scheduling in the result: it depends on
+ * (n, block, WG, LANES) alone.
  * local  scratch  real  [SCRATCH10]
  * out    partial  accum [groups*SUMS]
  * build  SUMS     10 unless defined before this file is included
