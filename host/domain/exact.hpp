@@ -24,8 +24,16 @@ struct ExactColumns {
   Moments interior = Moments::Zero();    ///< of all h x h columns at unit density, body units
 };
 
-/// Every interval's points are as deep as the wall up to round-off: the crossings of the surface
-/// (crossings.hpp) less its exact offset (mesh/offset.hpp).
+/// The parts of the centre lines of a grid's columns inside a mesh and at least `wall` from its surface: the
+/// crossings of the surface (crossings.hpp) less its exact offset (mesh/offset.hpp). Every point is as deep
+/// as the wall up to round-off; sorted as in ExactColumns.
+///
+/// @param wall  > 0, the mesh's unit
+/// @throws InputError  a mesh that is not closed
+[[nodiscard]] std::vector<ExactInterval> exact_intervals(const TriangleMesh& mesh, const Grid& grid,
+                                                         double wall);
+
+/// The exact_intervals of a body on the grid of make_columns. Any wall > 0 will do.
 ///
 /// @throws InputError  no interior left; a mesh that is not closed
 [[nodiscard]] ExactColumns make_exact(const Body& body, const GridSpec& spec, const Wall& wall);
