@@ -15,18 +15,6 @@
 namespace kreisel {
 namespace {
 
-double in_body_units(const Wall& wall, const Body& body, const Grid& grid) {
-  switch (wall.unit) {
-    case Wall::cells:
-      return wall.value * grid.h;
-    case Wall::percent:
-      return wall.value / 100 * bounding_box(body.local).extent().maxCoeff();
-    case Wall::millimetres:
-      break;
-  }
-  return wall.value / body.frame.length;
-}
-
 /// The domain within a few rows of the grid.
 struct RowsOfColumns {
   std::vector<Interval> intervals;
@@ -77,6 +65,18 @@ std::string to_string(const Wall& wall) {
                      wall.unit == Wall::cells     ? "h"
                      : wall.unit == Wall::percent ? "%"
                                                   : "");
+}
+
+double in_body_units(const Wall& wall, const Body& body, const Grid& grid) {
+  switch (wall.unit) {
+    case Wall::cells:
+      return wall.value * grid.h;
+    case Wall::percent:
+      return wall.value / 100 * bounding_box(body.local).extent().maxCoeff();
+    case Wall::millimetres:
+      break;
+  }
+  return wall.value / body.frame.length;
 }
 
 Columns make_columns(const Body& body, const GridSpec& spec, const Wall& wall) {

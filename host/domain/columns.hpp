@@ -21,6 +21,8 @@ struct Wall {
 /// @throws InputError  anything else, or not > 0
 [[nodiscard]] Wall parse_wall(const std::string& text);
 [[nodiscard]] std::string to_string(const Wall& wall);
+/// The wall's thickness for a body and its grid, body units.
+[[nodiscard]] double in_body_units(const Wall& wall, const Body& body, const Grid& grid);
 
 /// A maximal run of interior voxels along a column: cells [k0, k1).
 struct Interval {

@@ -18,24 +18,6 @@ double squared_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return (p - (a + t * ab)).squaredNorm();
 }
 
-struct Query {
-  const TriangleMesh* mesh;
-  Vec3 point;
-  double best, enough;
-  float margin;
-};
-
-bool visit(RTCPointQueryFunctionArguments* arguments) {
-  auto& query = *static_cast<Query*>(arguments->userPtr);
-  const Triangle& t = query.mesh->triangles[arguments->primID];
-  const auto& v = query.mesh->vertices;
-  const double d = distance_to_triangle(query.point, v[t[0]], v[t[1]], v[t[2]]);
-  if (d >= query.best) return false;
-  query.best = d;
-  arguments->query->radius = d < query.enough ? 0.0f : static_cast<float>(d) + query.margin;
-  return true;  // the radius shrank
-}
-
 }  // namespace
 
 double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -56,6 +38,26 @@ struct SurfaceDistance::Scene {
   RTCDevice device = rtcNewDevice("threads=1");
   RTCScene scene = nullptr;
   float margin = 0;  ///< covers the rounding of the mesh and the query point to single precision
+};
+
+struct SurfaceDistance::Query {
+  const TriangleMesh* mesh;
+  Vec3 point;
+  double best, enough;
+  float margin;
+  std::optional<std::uint32_t> nearest;
+
+  static bool visit(RTCPointQueryFunctionArguments* arguments) {
+    auto& query = *static_cast<Query*>(arguments->userPtr);
+    const Triangle& t = query.mesh->triangles[arguments->primID];
+    const auto& v = query.mesh->vertices;
+    const double d = distance_to_triangle(query.point, v[t[0]], v[t[1]], v[t[2]]);
+    if (d >= query.best) return false;
+    query.best = d;
+    query.nearest = arguments->primID;
+    arguments->query->radius = d < query.enough ? 0.0f : static_cast<float>(d) + query.margin;
+    return true;  // the radius shrank
+  }
 };
 
 SurfaceDistance::SurfaceDistance(const TriangleMesh& mesh) : scene_(std::make_unique<Scene>()) {
@@ -88,17 +90,27 @@ SurfaceDistance::~SurfaceDistance() {
   rtcReleaseDevice(scene_->device);
 }
 
-double SurfaceDistance::operator()(const Vec3& point, double limit, double enough) const {
-  Query query{scene_->mesh, point, limit, enough, scene_->margin};
+void SurfaceDistance::search(Query& query, double limit) const {
   RTCPointQuery embree{};
-  embree.x = static_cast<float>(point[0]);
-  embree.y = static_cast<float>(point[1]);
-  embree.z = static_cast<float>(point[2]);
+  embree.x = static_cast<float>(query.point[0]);
+  embree.y = static_cast<float>(query.point[1]);
+  embree.z = static_cast<float>(query.point[2]);
   embree.radius = static_cast<float>(limit) + scene_->margin;
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
-  rtcPointQuery(scene_->scene, &embree, &context, visit, &query);
+  rtcPointQuery(scene_->scene, &embree, &context, Query::visit, &query);
+}
+
+double SurfaceDistance::operator()(const Vec3& point, double limit, double enough) const {
+  Query query{scene_->mesh, point, limit, enough, scene_->margin, {}};
+  search(query, limit);
   return query.best;
+}
+
+std::optional<std::uint32_t> SurfaceDistance::nearest(const Vec3& point, double limit) const {
+  Query query{scene_->mesh, point, limit, 0, scene_->margin, {}};
+  search(query, limit);
+  return query.nearest;
 }
 
 }  // namespace kreisel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "mesh/triangle_mesh.hpp"
 
@@ -21,8 +22,13 @@ class SurfaceDistance {
   /// distance.
   [[nodiscard]] double operator()(const Vec3& point, double limit, double enough = 0) const;
 
+  /// The triangle nearest to `point`, if any is nearer than `limit`; the first found of those equally near.
+  [[nodiscard]] std::optional<std::uint32_t> nearest(const Vec3& point, double limit) const;
+
  private:
   struct Scene;
+  struct Query;
+  void search(Query& query, double limit) const;
   std::unique_ptr<Scene> scene_;
 };
 

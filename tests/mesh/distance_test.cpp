@@ -108,6 +108,23 @@ TEST(SurfaceDistance, EndsTheSearchOnlyWithWhatIsNearEnough) {
   }
 }
 
+TEST(SurfaceDistance, NamesTheNearestTriangleWithinTheLimit) {
+  Random random(25);
+  const TriangleMesh mesh = upright_torus_mesh(0.75, 0.25, 48, 24);
+  const SurfaceDistance distance(mesh);
+  for (int trial = 0; trial < 300; ++trial) {
+    const Vec3 p = random_vec(random, -1.2, 1.2);
+    const double want = brute_force(mesh, p);
+    const auto near = distance.nearest(p, 10);
+    ASSERT_TRUE(near);
+    const Triangle& t = mesh.triangles[*near];
+    EXPECT_EQ(distance_to_triangle(p, mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]), want);
+    if (want > 0) {
+      EXPECT_FALSE(distance.nearest(p, want)) << "none is nearer than itself";
+    }
+  }
+}
+
 TEST(SurfaceDistance, OnAVertexIsZero) {
   const TriangleMesh mesh = box_mesh({0.1, 0.2, 0.3}, {1, 1, 1});
   const SurfaceDistance distance(mesh);

@@ -1,0 +1,141 @@
+#include "fabricate/quadric_cavity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "domain/exact.hpp"
+#include "error.hpp"
+#include "mesh/distance.hpp"
+#include "mesh/march.hpp"
+
+namespace kreisel {
+namespace {
+
+using Index = CubicLattice::Index;
+
+/// A lattice point counts as inside when it is this far in, in cells: then no vertex comes so near to it that
+/// slivers collapse when a file rounds them to single precision.
+constexpr double margin = 1e-3;
+
+/// q as a constant, a vector and a symmetric matrix.
+class Quadric {
+ public:
+  explicit Quadric(const Moments& q) : c_(q[S1]), b_(q[SX], q[SY], q[SZ]) {
+    a_ << q[SXX], q[SXY] / 2, q[SXZ] / 2, q[SXY] / 2, q[SYY], q[SYZ] / 2, q[SXZ] / 2, q[SYZ] / 2, q[SZZ];
+  }
+
+  [[nodiscard]] double operator()(const Vec3& p) const { return c_ + b_.dot(p) + p.dot(a_ * p); }
+  [[nodiscard]] Vec3 gradient(const Vec3& p) const { return b_ + 2 * a_ * p; }
+
+  /// The first t in (0, 1] where q(p + t d) falls below zero; 1 where it does not. q(p) >= 0.
+  [[nodiscard]] double exit(const Vec3& p, const Vec3& d) const {
+    const double c = (*this)(p), half_b = gradient(p).dot(d) / 2, a = d.dot(a_ * d);
+    // a t^2 + 2 half_b t + c = 0; in the form that adds what has one sign
+    const double square = half_b * half_b - a * c;
+    if (square < 0) return 1;
+    const double r = half_b > 0 ? half_b + std::sqrt(square) : half_b - std::sqrt(square);
+    double first = 1;
+    for (const double t : {-r / a, -c / r})
+      if (t > 0 && t < first) first = t;
+    return first;
+  }
+
+ private:
+  double c_;
+  Vec3 b_;
+  Eigen::Matrix3d a_;
+};
+
+/// Marks the points of the lattice with one parity (0: corners, 1: centres) that are deep enough inside.
+void mark_depth(const Body& body, double depth, const CubicLattice& lattice, int parity,
+                std::vector<std::uint8_t>& inside) {
+  const Index first = Index::Constant(parity), n = (lattice.n() - first + Index::Ones()) / 2;
+  Grid grid;
+  grid.h = lattice.cell();
+  grid.n = {n[0], n[1], n[2]};
+  grid.origin = lattice.point(first) - Vec3::Constant(grid.h / 2);
+  for (const ExactInterval& run : exact_intervals(body.local, grid, depth)) {
+    const auto at = [&](double z) { return (z - lattice.point(first)[2]) / grid.h; };
+    const int k0 = std::max(0, static_cast<int>(std::ceil(at(run.z0)))),
+              k1 = std::min(n[2] - 1, static_cast<int>(std::floor(at(run.z1))));
+    for (int k = k0; k <= k1; ++k) inside[lattice.id(first + 2 * Index(run.ix, run.iy, k))] = 1;
+  }
+}
+
+/// A t in [0, end) where f(t) is within `tolerance` of zero, or above it with the zero next to it.
+/// f(0) > 0 > f(end). Regula falsi (Illinois), which kinks do not stop.
+template <class Function>
+double zero(const Function& f, double end, double tolerance) {
+  double t0 = 0, t1 = end, f0 = f(t0), f1 = f(t1);
+  for (int step = 0, kept = -1; step < 60; ++step) {
+    const double t = step % 8 == 7 ? (t0 + t1) / 2 : t0 + (t1 - t0) * f0 / (f0 - f1);
+    if (!(t > t0 && t < t1)) break;
+    const double value = f(t);
+    if (std::abs(value) <= tolerance) return t;
+    // An end that stays twice weighs half as much from then on.
+    if (value > 0) {
+      t0 = t, f0 = value;
+      if (kept == 1) f1 /= 2;
+      kept = 1;
+    } else {
+      t1 = t, f1 = value;
+      if (kept == 0) f0 /= 2;
+      kept = 0;
+    }
+  }
+  return t0;
+}
+
+/// The largest t <= end up to which p + t d stays `wall` away from the surface, within `tolerance`; p itself
+/// is farther than that.
+///
+/// The points near a triangle are convex, so the segment enters them once: stepping back to where it enters
+/// those of the triangle nearest to its end, until no triangle is too near, passes by none.
+double stay_deep(const SurfaceDistance& distance, const TriangleMesh& mesh, const Vec3& p, const Vec3& d,
+                 double end, double wall, double tolerance) {
+  const auto& v = mesh.vertices;
+  while (const auto near = distance.nearest(p + end * d, wall - tolerance)) {
+    const Triangle& t = mesh.triangles[*near];
+    end = zero([&](double s) { return distance_to_triangle(p + s * d, v[t[0]], v[t[1]], v[t[2]]) - wall; },
+               end, tolerance / 2);
+  }
+  return end;
+}
+
+}  // namespace
+
+TriangleMesh quadric_cavity(const Body& body, double wall, const Moments& q, double cell) {
+  if (!(cell > 0 && cell <= wall))
+    throw InputError(fmt::format(
+        "a wall of {:.3g} cells of the cavity's mesh; expected at least one (a finer mesh)", wall / cell));
+  const Box box = bounding_box(body.local);
+  if (const double cells = box.extent().maxCoeff() / cell; cells > Grid::most_cells)
+    throw InputError(
+        fmt::format("a cavity's mesh of {:.0f} cells along the longest side; expected at most {}", cells,
+                    Grid::most_cells));
+  const Quadric quadric(q);
+  const CubicLattice lattice(box, cell);
+  std::vector<std::uint8_t> inside(lattice.size());
+  for (const int parity : {0, 1}) mark_depth(body, wall + margin * cell, lattice, parity, inside);
+  lattice.for_each([&](const Index& at) {
+    std::uint8_t& in = inside[lattice.id(at)];
+    if (!in) return;
+    const Vec3 p = lattice.point(at);
+    in = quadric(p) > margin * cell * quadric.gradient(p).norm();
+  });
+
+  const SurfaceDistance distance(body.local);
+  TriangleMesh mesh = march(lattice, inside, [&](const Index& in, const Index& out) -> Vec3 {
+    const Vec3 p = lattice.point(in), d = lattice.point(out) - p;
+    // An edge is shorter than two walls, so it cannot pass through the skin and be as deep again outside it.
+    // Not into the last bit before the other end: that is no deeper for the end being so.
+    const double end = std::min(quadric.exit(p, d), 1 - margin);
+    return p + std::max(margin / 2, stay_deep(distance, body.local, p, d, end, wall, 1e-7 * cell)) * d;
+  });
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);  // the void's boundary seen from inside it
+  return mesh;
+}
+
+}  // namespace kreisel
