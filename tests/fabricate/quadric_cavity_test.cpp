@@ -63,9 +63,8 @@ Moments void_of(const ExactColumns& domain, const Moments& q) {
 /// Everything but the moments.
 void expect_cavity(const Body& body, const TriangleMesh& cavity, double wall, const Moments& q, double cell) {
   EXPECT_TRUE(self_intersections(cavity).empty());
-  RepairReport report;
   TriangleMesh part;
-  ASSERT_NO_THROW(part = make_solid(both(body.local, cavity), body.name, report));
+  ASSERT_NO_THROW(part = make_solid(both(body.local, cavity), body.name).mesh);
   EXPECT_EQ(part.triangles.size(), body.local.triangles.size() + cavity.triangles.size()) << "mended";
   const SurfaceDistance distance(body.local);
   double corner = wall, between = wall, filled = 0;

@@ -28,34 +28,35 @@ class Explain : public testing::TestWithParam<Way> {
 // Three digits are printed; the solvers are good to six here, so amounts are chosen away from a half.
 
 TEST_P(Explain, NamesTheOneConstraintThatIsOutOfReach) {
-  Rows rows;
+  RowsProblem rows;
   rows.add("balance", x_form, 0, 0).add("mass", mass_form, 1.5 * whole, 1.5 * whole);
-  rows.add("height", height_form, -Rows::free, 10);
+  rows.add("height", height_form, -RowsProblem::free, 10);
   EXPECT_EQ(of(rows), fmt::format("mass is out of reach by {:.3g} (body units)", 0.5 * whole));
 }
 
 TEST_P(Explain, NamesEachOfSeveralThatAreOutOfReach) {
   // The most that leans to the right: columns at 1/16, 3/16 and 5/16, 4 x 8 cells each.
   const double most = 4 * 8 * std::pow(BoxDomain::h, 3) * 9 / 16.0;
-  Rows rows;
-  rows.add("mass", mass_form, whole + 0.11, Rows::free).add("lean", x_form, most + 0.1, Rows::free);
+  RowsProblem rows;
+  rows.add("mass", mass_form, whole + 0.11, RowsProblem::free)
+      .add("lean", x_form, most + 0.1, RowsProblem::free);
   EXPECT_EQ(of(rows), "mass is out of reach by 0.11; lean is out of reach by 0.1 (body units)");
 }
 
 TEST_P(Explain, NamesTheWorstFirstAndWhatIsMissedByMuchLess) {
   // All solid is the best for both, and misses one by 0.11, the other by 0.3.
   const double highest = area * ((bottom + 1) * (bottom + 1) - bottom * bottom) / 2;
-  Rows rows;
-  rows.add("mass", mass_form, whole + 0.11, Rows::free);
-  rows.add("moment", height_form, highest + 0.3, Rows::free);
+  RowsProblem rows;
+  rows.add("mass", mass_form, whole + 0.11, RowsProblem::free);
+  rows.add("moment", height_form, highest + 0.3, RowsProblem::free);
   EXPECT_EQ(of(rows), "moment is out of reach by 0.3; mass is out of reach by 0.11 (body units)");
 }
 
 TEST_P(Explain, NamesConstraintsThatCannotBeMetTogether) {
   // Much material, yet a small first moment: either is possible.
   const double mass = 0.9 * whole, moment = 0.3 * area * ((bottom + 1) * (bottom + 1) - bottom * bottom) / 2;
-  Rows rows;
-  rows.add("mass", mass_form, mass, Rows::free).add("moment", height_form, -Rows::free, moment);
+  RowsProblem rows;
+  rows.add("mass", mass_form, mass, RowsProblem::free).add("moment", height_form, -RowsProblem::free, moment);
   rows.add("balance", x_form, 0, 0);
   // Filled from below up to T, both are missed by t: a (T - b) = mass - t, a (T^2 - b^2) / 2 = moment + t.
   const double u = (mass + moment) / area + bottom + bottom * bottom / 2, height = -1 + std::sqrt(1 + 2 * u);
@@ -76,7 +77,7 @@ TEST_P(Explain, NamesConstraintsThatCannotBeMetTogether) {
 }
 
 TEST_P(Explain, SaysSoWhenTheConstraintsCanBeMet) {
-  Rows rows;
+  RowsProblem rows;
   rows.add("mass", mass_form, whole / 2, whole / 2).add("balance", x_form, 0, 0);
   EXPECT_EQ(of(rows), "the constraints alone can be met: the solver stopped at a local infeasibility");
 }

@@ -15,7 +15,7 @@ const Moments mass_form = Moments::Unit(S1), height_form = Moments::Unit(SZ);
 
 class MarginOf : public testing::TestWithParam<Way> {
  protected:
-  Outcome solve(const Rows& rows) {
+  Outcome solve(const RowsProblem& rows) {
     const auto f =
         make_formulation(GetParam().formulation, BoxDomain::columns(), rows.traits(), {}, test_device());
     const MassModel mass;
@@ -34,7 +34,8 @@ class MarginOf : public testing::TestWithParam<Way> {
 };
 
 TEST_P(MarginOf, ARowOutOfReachIsTheLeastMiss) {
-  const Outcome outcome = solve(Rows(Goal::margin).add("mass", mass_form, whole + 0.125, Rows::free));
+  const Outcome outcome =
+      solve(RowsProblem(Goal::margin).add("mass", mass_form, whole + 0.125, RowsProblem::free));
   EXPECT_NEAR(margin_, 0.125, gap_);
   EXPECT_EQ(outcome.violation, margin_);
   EXPECT_EQ(to_string(outcome.termination), "infeasible");
@@ -42,28 +43,30 @@ TEST_P(MarginOf, ARowOutOfReachIsTheLeastMiss) {
 }
 
 TEST_P(MarginOf, ARowThatIsMetIsMinusWhatItCanSpare) {
-  const Outcome outcome = solve(Rows(Goal::margin).add("mass", mass_form, whole - 0.125, Rows::free));
+  const Outcome outcome =
+      solve(RowsProblem(Goal::margin).add("mass", mass_form, whole - 0.125, RowsProblem::free));
   EXPECT_NEAR(margin_, -0.125, gap_);
   EXPECT_EQ(outcome.violation, 0);
   EXPECT_EQ(to_string(outcome.termination), "optimal") << outcome.message;
 }
 
 TEST_P(MarginOf, AnEquationThatCanBeMetIsZero) {
-  const Outcome outcome = solve(Rows(Goal::margin).add("mass", mass_form, whole / 3, whole / 3));
+  const Outcome outcome = solve(RowsProblem(Goal::margin).add("mass", mass_form, whole / 3, whole / 3));
   EXPECT_NEAR(margin_, 0, std::min(gap_, 1e-6)) << "the limit of what counts as met";
   EXPECT_EQ(to_string(outcome.termination), "optimal") << outcome.message;
 }
 
 TEST_P(MarginOf, RowsAtOddsShareTheMiss) {
-  const Outcome outcome = solve(
-      Rows(Goal::margin).add("more", mass_form, 0.3, Rows::free).add("less", mass_form, -Rows::free, 0.1));
+  const Outcome outcome = solve(RowsProblem(Goal::margin)
+                                    .add("more", mass_form, 0.3, RowsProblem::free)
+                                    .add("less", mass_form, -RowsProblem::free, 0.1));
   EXPECT_NEAR(margin_, 0.1, gap_);
   EXPECT_NEAR(outcome.moments[S1], 0.2, gap_);
   EXPECT_EQ(to_string(outcome.termination), "infeasible");
 }
 
 TEST_P(MarginOf, ARangeIsBestInItsMiddle) {
-  const Outcome outcome = solve(Rows(Goal::margin).add("mass", mass_form, 0.05, 0.25));
+  const Outcome outcome = solve(RowsProblem(Goal::margin).add("mass", mass_form, 0.05, 0.25));
   EXPECT_NEAR(margin_, -0.1, gap_);
   EXPECT_NEAR(outcome.moments[S1], 0.15, gap_);
 }

@@ -9,16 +9,16 @@
 namespace kreisel {
 
 /// Feasible or not, whatever the value: szz.
-class Rows : public Problem {
+class RowsProblem : public Problem {
  public:
   static constexpr double free = std::numeric_limits<double>::infinity();
 
-  explicit Rows(Goal goal = Goal::value, Filling filling = Filling::from_below)
+  explicit RowsProblem(Goal goal = Goal::value, Filling filling = Filling::from_below)
       : goal_(goal), filling_(filling) {
     constraints_.matrix.resize(0, 10);
   }
 
-  Rows& add(const std::string& name, const Moments& form, double lower, double upper) {
+  RowsProblem& add(const std::string& name, const Moments& form, double lower, double upper) {
     const Eigen::Index rows = constraints_.matrix.rows();
     constraints_.matrix.conservativeResize(rows + 1, 10);
     constraints_.matrix.row(rows) = form.transpose();

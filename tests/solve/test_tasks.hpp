@@ -13,9 +13,9 @@
 namespace kreisel {
 
 /// Minimise szz subject to s1 = mass, sx = sy = 0. Over a domain above z = 0 the optimum fills it from below.
-class LowestMass final : public Rows {
+class LowestMass final : public RowsProblem {
  public:
-  explicit LowestMass(double mass) : Rows(Goal::value, Filling::segment) {
+  explicit LowestMass(double mass) : RowsProblem(Goal::value, Filling::segment) {
     add("s1 = mass", Moments::Unit(S1), mass, mass);
     add("sx = 0", Moments::Unit(SX), 0, 0).add("sy = 0", Moments::Unit(SY), 0, 0);
   }
