@@ -11,8 +11,6 @@
 #include "formulation/ray_moments.hpp"
 
 namespace kreisel {
-namespace {
-
 Rays rays_of(const Columns& domain) {
   Rays rays;
   rays.grid = domain.grid;
@@ -23,6 +21,8 @@ Rays rays_of(const Columns& domain) {
   }
   return rays;
 }
+
+namespace {
 
 /// Every second column in x and y, each for four.
 Rays every_second(const Rays& fine) {
@@ -93,7 +93,8 @@ class Quadric final : public Formulation, public SupportOracle {
         const double pz = grid.centre(2, k);
         Moments t;
         t << 1, px, py, pz, px * py, py * pz, px * pz, px * px + hh, py * py + hh, pz * pz;
-        if (q.dot(t) < 0) rounded.solid.set(rounded.solid.first(i) + static_cast<std::size_t>(k - run.k0), true);
+        if (q.dot(t) < 0)
+          rounded.solid.set(rounded.solid.first(i) + static_cast<std::size_t>(k - run.k0), true);
       }
     }
     rounded.mended = make_well_composed(rounded.solid);
