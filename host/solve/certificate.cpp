@@ -96,6 +96,7 @@ Certificate certify(const Problem& problem, const Columns& domain, const MassMod
 
   Certificate c;
   c.bound = -std::numeric_limits<double>::infinity();
+  c.contrast = mass.contrast;
   const std::optional<Ratio> ratio = problem.ratio();
   const bool constrained = !ratio || ratio->constrained;
   c.rows = rows_of(problem.constraints(), false);

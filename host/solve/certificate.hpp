@@ -37,6 +37,7 @@ struct Certificate {
   double separation = 0;            ///< of infeasible: h(q) - bounds . multipliers
   std::vector<CertifiedBox> boxes;  ///< of spin: upwards, from -infinity to infinity
   SpinOptions spin;
+  double contrast = 1;  ///< of the mass model that was bounded
 
   double best = 0;  ///< f of the best interior found on the way, cut by the quadric `best_x`
   std::vector<double> best_x;
