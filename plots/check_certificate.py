@@ -33,6 +33,7 @@ class Domain:
                        2: one[None]}
         self.area = h * h
         self.fixed, self.contrast = file["body/fixed"][:], certificate.attrs["contrast"]
+        self.interior = self.integrals(self.lower, self.upper)
         longest = np.maximum(abs(self.lower), abs(self.upper))
         sizes = self.integrals(np.zeros_like(x), self.upper - self.lower, longest, absolute=True)
         self.sizes = abs(self.fixed) + self.contrast * sizes
@@ -174,6 +175,19 @@ def check_ratio(file, domain, expect):
     return np.max(numerators @ s) / (denominator @ s), bound if fine else -math.inf
 
 
+def check_masses(file, domain, expect):
+    """Shell, interior and solid belong together."""
+    def same(one, other):
+        return np.allclose(one, other, rtol=1e-9, atol=1e-12)
+
+    config = file["config"].attrs
+    share = float(config.get("void-density", 0)) / file["body"].attrs["density"]
+    expect(same(domain.contrast, 1 - share), "the contrast is not that of the densities")
+    expect(same(domain.interior, file["body/interior"][:]), "the interior is not that of the intervals")
+    expect(same(domain.fixed + domain.contrast * domain.interior, file["body/solid"][:]),
+           "shell and interior do not add up to the solid")
+
+
 def check_infeasible(file, domain, expect):
     form, offset = check_multipliers(file, expect)
     h, margin = domain.least(form)
@@ -197,7 +211,9 @@ def check(file):
     kind, bound, objective = certificate.attrs["kind"], certificate.attrs["bound"], file.attrs["objective"]
     if kind not in KINDS:
         return [f"kind is {kind}, expected one of {', '.join(KINDS)}"], ""
-    f, proved = KINDS[kind](file, Domain(file), expect)
+    domain = Domain(file)
+    check_masses(file, domain, expect)
+    f, proved = KINDS[kind](file, domain, expect)
     expect(bound <= proved, f"the bound is {bound}, but {proved} is proved")
     expect(file.attrs["bound"] == bound, "two bounds are stored")
     if f is not None:
