@@ -9,6 +9,7 @@
 #include "formulation/quadric.hpp"
 #include "problem/float.hpp"
 #include "problem/stand.hpp"
+#include "solve/certify_spin.hpp"
 #include "solve/test_tasks.hpp"
 
 namespace kreisel {
@@ -171,6 +172,41 @@ TEST(Certificate, BoundsWhateverIsAttained) {
       EXPECT_LE(c.bound, outcome.objective + 10 * outcome.violation) << way;
       EXPECT_LE((outcome.objective - c.best) / c.best, 0.01) << way;
     }
+  }
+}
+
+/// The bounds of boxes lead to the optimum even where the solver has missed it.
+TEST(Certificate, FindsABetterOneThanItWasGiven) {
+  Random random(13);
+  const Case on = top();
+  const Spin problem({0.5, 1});
+  const Certificate right = on.certified(problem);
+  const auto quadric = make_quadric(on.domain, {}, {}, test_device());
+  const Task task{problem, *quadric, on.mass, test_device()};
+  const SafeSupport support(rays_of(on.domain), on.mass);
+  Outcome poor;
+  poor.moments = attainable(on, problem, random, 5).front();
+  ASSERT_GT(problem.value(poor.moments), right.best + 0.01);
+  Certificate c;
+  c.best = problem.value(poor.moments);
+  certify_spin(c, problem, task, support, poor, {}, [] { return 0.0; });
+  EXPECT_NEAR(c.best, right.best, 1e-12);
+  EXPECT_LE(c.best - c.bound, gap * c.best);
+  const Moments reached = on.mass.total(quadric->moments(c.best_x));
+  EXPECT_NEAR(problem.value(reached), right.best, 1e-12);
+}
+
+/// Boxes grow like the logarithm of the gap. [docs/quadric.md, s. 4]
+TEST(Certificate, TakesFewBoxesForASmallGap) {
+  const Case on = top();
+  for (const double lambda : {0.0, 1.0}) {
+    const Certificate rough = on.certified(Spin({lambda, 1}), {.gap = 1e-3});
+    const Certificate fine = on.certified(Spin({lambda, 1}), {.gap = 1e-7});
+    EXPECT_TRUE(fine.reached) << fine.message;
+    EXPECT_LE(fine.best - fine.bound, 1e-7 * fine.best);
+    // Four decades: some six halvings each of the boxes about the minimum, two or three wide.
+    EXPECT_LE(fine.boxes.size(), rough.boxes.size() + 80);
+    RecordProperty("boxes", static_cast<int>(fine.boxes.size()));
   }
 }
 
