@@ -15,35 +15,40 @@ std::optional<PublishedRow::Side> side_of(const RecordedRun& run, const Publishe
   return std::nullopt;
 }
 
-Sheet empty_sheet() {
-  return Sheet({{"label", "", ""},
-                {"model", "", "model", true},
-                {"grid", "", "grid", true},
-                {"problem", "", "problem", true},
-                {"formulation", "", "", true},
-                {"termination", "", ""},
-                {"variables", "here", "variables"},
-                {"seconds", "here", "seconds"},
-                {"seconds_half_iqr", "", ""},
-                {"samples", "", ""},
-                {"iterations", "here", "iter"},
-                {"objective", "here", "f"},
-                {"violation", "here", "violation"},
-                {"verified", "here", "verified", true},
-                {"published_variables", "paper", "variables"},
-                {"published_seconds", "paper", "seconds"},
-                {"variables_excess_percent", "here / paper", "variables, %"},
-                {"published_seconds_over_seconds", "here / paper", "times faster"}});
+Sheet empty_sheet(bool certified) {
+  std::vector<Sheet::Column> columns = {{"label", "", ""},
+                                        {"model", "", "model", true},
+                                        {"grid", "", "grid", true},
+                                        {"problem", "", "problem", true},
+                                        {"formulation", "", "", true},
+                                        {"termination", "", ""},
+                                        {"variables", "here", "variables"},
+                                        {"seconds", "here", "seconds"},
+                                        {"seconds_half_iqr", "", ""},
+                                        {"samples", "", ""},
+                                        {"iterations", "here", "iter"},
+                                        {"objective", "here", "f"},
+                                        {"violation", "here", "violation"},
+                                        {"verified", "here", "verified", true},
+                                        {"published_variables", "paper", "variables"},
+                                        {"published_seconds", "paper", "seconds"},
+                                        {"variables_excess_percent", "here / paper", "variables, %"},
+                                        {"published_seconds_over_seconds", "here / paper", "times faster"}};
+  if (certified) columns.push_back({"gap_percent", "here", "gap %"});
+  return Sheet(std::move(columns));
 }
 
 }  // namespace
 
 Tables published_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>& published) {
   Tables tables;
+  const bool certified = any_certified(runs);
   for (const RecordedRun& run : runs) {
     const std::string& label = run.run.label;
     const auto same_label = [&](const Block& block) { return block.heading == label; };
-    Block& block = find_or_add(tables.blocks, same_label, [&] { return Block{label, empty_sheet(), {}}; });
+    Block& block = find_or_add(tables.blocks, same_label, [&] {
+      return Block{label, empty_sheet(certified), {}};
+    });
     const RunConfig& config = run.run.config;
     const SolveCells solve(run);
     const auto there = side_of(run, find_row(run, published));
@@ -54,12 +59,26 @@ Tables published_tables(const std::vector<RecordedRun>& runs, const std::optiona
       faster = there->seconds / run.record->median.solve;
     Cell seconds = solve.seconds;
     if (run.record && !is_optimal(run)) seconds.text += " !";
-    block.sheet.add({label, model_text(config), grid_text(run), config.problem, config.formulation,
-                     termination_text(run), solve.variables, seconds, solve.half_iqr, solve.samples,
-                     solve.iterations, solve.objective, solve.violation, solve.verified,
-                     there ? fmt::format("{}", there->variables) : "",
-                     there ? fmt::format("{}", there->seconds) : "", Cell::of(excess, "{:+.1f}"),
-                     Cell::of(faster, "{:.2f}")});
+    std::vector<Cell> cells = {label,
+                               model_text(config),
+                               grid_text(run),
+                               config.problem,
+                               config.formulation,
+                               termination_text(run),
+                               solve.variables,
+                               seconds,
+                               solve.half_iqr,
+                               solve.samples,
+                               solve.iterations,
+                               solve.objective,
+                               solve.violation,
+                               solve.verified,
+                               there ? fmt::format("{}", there->variables) : "",
+                               there ? fmt::format("{}", there->seconds) : "",
+                               Cell::of(excess, "{:+.1f}"),
+                               Cell::of(faster, "{:.2f}")};
+    if (certified) cells.push_back(gap_cell(run));
+    block.sheet.add(std::move(cells));
     block.notes += note_of(run);
   }
   tables.legend =
@@ -69,6 +88,7 @@ Tables published_tables(const std::vector<RecordedRun>& runs, const std::optiona
       "variables, %: our count above the paper's; times faster: paper's seconds / ours, each on its "
       "machine\n" +
       provenance_text(runs) + '\n';
+  if (certified) tables.legend += certified_legend;
   if (published) tables.legend += fmt::format("paper: {}; {}\n", published->source, published->machine);
   return tables;
 }

@@ -127,7 +127,7 @@ std::vector<RecordedRun> members(const Group& group) {
   return all;
 }
 
-std::vector<Sheet::Column> columns() {
+std::vector<Sheet::Column> columns(bool certified) {
   std::vector<Sheet::Column> all = {
       {"label", "", ""}, {"model", "", ""}, {"grid", "", ""}, {"", "", "model, grid", true}};
   for (const std::string side : {"rayrep", "voxel"}) {
@@ -148,13 +148,16 @@ std::vector<Sheet::Column> columns() {
                          {"speedup_ratio", "speed-up", "ratio"},
                          {"rayrep_variables_excess_percent", "vars, %", "ray"},
                          {"voxel_variables_excess_percent", "vars, %", "voxel"}});
+  if (certified)
+    all.insert(all.end(),
+               {{"rayrep_gap_percent", "gap, %", "ray"}, {"voxel_gap_percent", "gap, %", "voxel"}});
   return all;
 }
 
-Block block_of(const Group& group, const std::optional<Published>& published) {
+Block block_of(const Group& group, const std::optional<Published>& published, bool certified) {
   Block block{fmt::format("{}\n  ray-rep: {}\n  voxel:   {}", group.label.empty() ? "all runs" : group.label,
                           settings_text(group, &Row::rayrep), settings_text(group, &Row::voxel)),
-              Sheet(columns()),
+              Sheet(columns(certified)),
               {}};
   for (const Row& row : group.rows) {
     const std::string name = row.model + ' ' + row.grid;
@@ -165,6 +168,9 @@ Block block_of(const Group& group, const std::optional<Published>& published) {
                                Cell::of(published_speedup(row), "{:.2f}"), Cell::of(ratio(row), "{:.2f}"),
                                Cell::of(excess(row.rayrep, published_side(row, true)), "{:+.1f}"),
                                Cell::of(excess(row.voxel, published_side(row, false)), "{:+.1f}")});
+    if (certified)
+      for (const RecordedRun* side : {row.rayrep, row.voxel})
+        cells.push_back(side ? gap_cell(*side) : Cell::none());
     block.sheet.add(std::move(cells));
     if (row.rayrep) block.notes += note_of(*row.rayrep, true, name + ", ray-rep");
     if (row.voxel) block.notes += note_of(*row.voxel, true, name + ", voxel");
@@ -178,13 +184,16 @@ Block block_of(const Group& group, const std::optional<Published>& published) {
 
 Tables speedup_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>& published) {
   Tables tables;
-  for (const Group& group : groups_of(runs, published)) tables.blocks.push_back(block_of(group, published));
+  const bool certified = any_certified(runs);
+  for (const Group& group : groups_of(runs, published))
+    tables.blocks.push_back(block_of(group, published, certified));
   tables.legend =
       "seconds: median ± half the interquartile range of the solve, set-up excluded; f: objective; diff %: "
       "ray-rep's f above voxel's;\n"
       "speed-up: voxel seconds / ray-rep seconds; ratio: here / paper; vars, %: our counts of variables "
       "above the "
       "paper's\n";
+  if (certified) tables.legend += certified_legend;
   if (published) tables.legend += published->source + '\n';
   return tables;
 }

@@ -60,32 +60,39 @@ std::string table_csv(const Experiment& experiment, const std::vector<RecordedRu
 }
 
 Tables runs_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>&) {
-  Sheet sheet({{"label", "", "label", true},
-               {"model", "", "model", true},
-               {"grid", "", "grid", true},
-               {"problem", "", "problem", true},
-               {"formulation", "", "formulation", true},
-               {"solver", "", "solver", true},
-               {"variables", "", "variables"},
-               {"iterations", "", "iterations"},
-               {"termination", "", "termination", true},
-               {"seconds", "", "seconds"},
-               {"seconds_half_iqr", "", ""},
-               {"samples", "", ""},
-               {"objective", "", "objective"},
-               {"violation", "", "violation"},
-               {"verified", "", "verified", true},
-               {"device", "", ""},
-               {"commit", "", ""},
-               {"error", "", ""}});
+  std::vector<Sheet::Column> columns = {{"label", "", "label", true},
+                                        {"model", "", "model", true},
+                                        {"grid", "", "grid", true},
+                                        {"problem", "", "problem", true},
+                                        {"formulation", "", "formulation", true},
+                                        {"solver", "", "solver", true},
+                                        {"variables", "", "variables"},
+                                        {"iterations", "", "iterations"},
+                                        {"termination", "", "termination", true},
+                                        {"seconds", "", "seconds"},
+                                        {"seconds_half_iqr", "", ""},
+                                        {"samples", "", ""},
+                                        {"objective", "", "objective"},
+                                        {"violation", "", "violation"},
+                                        {"verified", "", "verified", true},
+                                        {"device", "", ""},
+                                        {"commit", "", ""},
+                                        {"error", "", ""}};
+  const bool certified = any_certified(runs);
+  if (certified) columns.push_back({"gap_percent", "", "gap %"});
+  Sheet sheet(std::move(columns));
   std::string errors;
   for (const RecordedRun& run : runs) {
     const RunConfig& config = run.run.config;
     const SolveCells solve(run);
-    sheet.add({run.run.label, model_text(config), grid_text(run), config.problem, config.formulation,
-               solver_of(config), solve.variables, solve.iterations, termination_text(run), solve.seconds,
-               solve.half_iqr, solve.samples, solve.objective, solve.violation, solve.verified, solve.device,
-               solve.commit, run.record ? run.record->error : ""});
+    std::vector<Cell> cells = {run.run.label,   model_text(config), grid_text(run),
+                               config.problem,  config.formulation, solver_of(config),
+                               solve.variables, solve.iterations,   termination_text(run),
+                               solve.seconds,   solve.half_iqr,     solve.samples,
+                               solve.objective, solve.violation,    solve.verified,
+                               solve.device,    solve.commit,       run.record ? run.record->error : ""};
+    if (certified) cells.push_back(gap_cell(run));
+    sheet.add(std::move(cells));
     errors += note_of(run, false);
   }
   return {{{"", std::move(sheet), errors}}, provenance_text(runs) + '\n'};

@@ -76,6 +76,16 @@ const PublishedRow* find_row(const RecordedRun& run, const std::optional<Publish
   return published->find(model_text(run.run.config), cells, run.run.config.problem);
 }
 
+bool any_certified(const std::vector<RecordedRun>& runs) {
+  return std::ranges::any_of(runs, [](const RecordedRun& run) { return has_result(run) && run.record->gap; });
+}
+
+Cell gap_cell(const RecordedRun& run) {
+  // Infinite where nothing was proved, or where there is no interior at all.
+  if (!has_result(run) || !run.record->gap || !std::isfinite(*run.record->gap)) return Cell::none();
+  return Cell::of(100 * *run.record->gap, "{:.2g}");
+}
+
 std::string note_of(const RecordedRun& run, bool unless_optimal, std::string name) {
   if (!run.record || is_optimal(run)) return "";
   const RecordSummary& r = *run.record;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiment/table.hpp"
@@ -37,6 +38,15 @@ namespace kreisel {
 
 /// The row of the paper with that model, grid and problem, or nullptr.
 [[nodiscard]] const PublishedRow* find_row(const RecordedRun& run, const std::optional<Published>& published);
+
+inline constexpr std::string_view certified_legend =
+    "gap %: f lies no further above the least that any interior of the domain has, certified\n";
+
+/// Does any of them have a certificate? Tables have a column for the gap then.
+[[nodiscard]] bool any_certified(const std::vector<RecordedRun>& runs);
+
+/// How far f may be above the least there is, per cent; "-" without a certificate.
+[[nodiscard]] Cell gap_cell(const RecordedRun& run);
 
 /// A line that says why a run has no result or, if asked, none that is optimal. Empty where all is well.
 /// @param name  what the table calls the run; empty: as run_text() does

@@ -11,8 +11,6 @@
 #include "formulation/ray_moments.hpp"
 
 namespace kreisel {
-namespace {
-
 Rays rays_of(const Columns& domain) {
   Rays rays;
   rays.grid = domain.grid;
@@ -23,6 +21,8 @@ Rays rays_of(const Columns& domain) {
   }
   return rays;
 }
+
+namespace {
 
 /// Every second column in x and y, each for four.
 Rays every_second(const Rays& fine) {

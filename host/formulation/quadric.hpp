@@ -2,8 +2,12 @@
 #pragma once
 
 #include "formulation/formulation.hpp"
+#include "formulation/quadric_moments.hpp"
 
 namespace kreisel {
+
+/// The vertical intervals that a domain consists of.
+[[nodiscard]] Rays rays_of(const Columns& domain);
 
 /// x = the ten coefficients of q = x . (1 x y z xy yz xz xx yy zz) in the body frame; the interior is solid
 /// where q < 0, and its moments depend on the direction of x alone. An optimum of any problem of the ten

@@ -30,6 +30,13 @@ enum class Filling { segment, either_end, from_below };
 /// is negative as far as inequalities can be met with something to spare.
 enum class Goal { value, margin };
 
+/// f = the largest of numerators . s / denominator . s, where denominator . s > 0 for all attainable moments.
+struct Ratio {
+  Eigen::Matrix<double, Eigen::Dynamic, 10> numerators;  ///< one a row
+  Moments denominator;
+  bool constrained = true;  ///< whether constraints() are the problem's, or only those of a step (next())
+};
+
 /// What shortens or shapes a formulation's variables.
 struct Traits {
   Filling filling = Filling::segment;
@@ -56,6 +63,9 @@ class Problem {
   [[nodiscard]] virtual Moments gradient(const Moments& s) const = 0;
   [[nodiscard]] virtual Matrix10 hessian(const Moments& s) const = 0;
   [[nodiscard]] virtual const LinearConstraints& constraints() const = 0;
+
+  /// The objective of a fractional problem; nothing for others.
+  [[nodiscard]] virtual std::optional<Ratio> ratio() const { return std::nullopt; }
 
   /// A problem that is a search over a parameter, solved as a sequence: the next one, given the moments that
   /// solve this one; nullptr when they are the answer.

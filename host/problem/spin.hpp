@@ -18,6 +18,7 @@ class Spin final : public Problem {
  public:
   explicit Spin(const SpinOptions& options);
 
+  [[nodiscard]] const SpinOptions& options() const { return options_; }
   [[nodiscard]] std::string_view name() const override { return "spin"; }
   [[nodiscard]] Convexity convexity() const override { return Convexity::spin; }
   [[nodiscard]] double value(const Moments& s) const override;

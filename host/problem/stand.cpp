@@ -84,6 +84,8 @@ Matrix10 Stand::hessian(const Moments& s) const {
   return h;
 }
 
+std::optional<Ratio> Stand::ratio() const { return Ratio{Moments::Unit(SZ).transpose(), Moments::Unit(S1)}; }
+
 Verdict Stand::verify(const Moments& s, double length_mm) const {
   return verdict_of(base_, s, length_mm, value(s));
 }
@@ -114,6 +116,18 @@ Moments MaxTilt::gradient(const Moments& s) const {
 Matrix10 MaxTilt::hessian(const Moments& s) const {
   const Moments g = gradient(s), h = height_form();
   return -(g * h.transpose() + h * g.transpose()) / h.dot(s);
+}
+
+std::optional<Ratio> MaxTilt::ratio() const {
+  Ratio ratio{decltype(Ratio::numerators)::Zero(static_cast<Eigen::Index>(base_.polygon.edges.size()), 10),
+              height_form(), false};
+  for (Eigen::Index i = 0; i < ratio.numerators.rows(); ++i) {
+    const SupportPolygon::Edge& e = base_.polygon.edges[static_cast<std::size_t>(i)];
+    ratio.numerators(i, SX) = e.n[0];
+    ratio.numerators(i, SY) = e.n[1];
+    ratio.numerators(i, S1) = -e.d;
+  }
+  return ratio;
 }
 
 std::unique_ptr<Problem> MaxTilt::next(const Moments& s) const {

@@ -36,6 +36,7 @@ class Stand final : public Problem {
   [[nodiscard]] Moments gradient(const Moments& s) const override;
   [[nodiscard]] Matrix10 hessian(const Moments& s) const override;
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
+  [[nodiscard]] std::optional<Ratio> ratio() const override;
 
   /// Stands when the centre of mass is inside the base, seen from above.
   [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override;
@@ -64,6 +65,7 @@ class MaxTilt final : public Problem {
   [[nodiscard]] Moments gradient(const Moments& s) const override;
   [[nodiscard]] Matrix10 hessian(const Moments& s) const override;
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
+  [[nodiscard]] std::optional<Ratio> ratio() const override;
   [[nodiscard]] std::unique_ptr<Problem> next(const Moments& s) const override;
   [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override;
 

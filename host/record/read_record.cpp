@@ -92,6 +92,8 @@ RecordSummary read_record(const std::filesystem::path& path) {
   summary.termination = file.text("termination");
   summary.objective = file.real("objective");
   summary.violation = file.real("constraint_violation");
+  if (file.has("bound")) summary.bound = file.real("bound");
+  if (file.has("gap")) summary.gap = file.real("gap");
   summary.iterations = static_cast<int>(file.integer("iterations"));
   summary.variables = static_cast<std::size_t>(file.integer("variables"));
   read_domain(file.group("domain"), summary, name);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct RecordSummary {
   std::size_t rays = 0, interior_voxels = 0, variables = 0;
   int iterations = 0;
   double objective = 0, violation = 0;
+  std::optional<double> bound, gap;  ///< where it was certified; infinite where nothing was proved
   double rounded_objective = 0, rounded_violation = 0;
   std::size_t mended_voxels = 0, moved_voxels = 0;
   bool verified_ok = false;

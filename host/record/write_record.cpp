@@ -3,6 +3,7 @@
 
 #include "record/hdf5_file.hpp"
 #include "record/record.hpp"
+#include "record/write_certificate.hpp"
 
 namespace kreisel {
 namespace {
@@ -202,6 +203,11 @@ void write_record(const std::filesystem::path& path, const RunResult& r) {
     write_solve(file.new_group("solve"), r);
     write_rounding(file.new_group("rounding"), r.rounding);
     write_verified(file.new_group("verified"), r.verified);
+    if (r.certificate) {
+      file.set("bound", r.certificate->bound);
+      file.set("gap", r.gap());
+      write_certificate(file.new_group("certificate"), *r.certificate);
+    }
   });
 }
 

@@ -120,6 +120,11 @@ const std::map<std::string_view, Setter>& setters() {
          c.budget_seconds = number(k, v);
          if (c.budget_seconds < 0) refuse(k, v, "seconds >= 0");
        }},
+      {"certify",
+       [](C c, S k, S v) {
+         c.certify = number(k, v);
+         if (!(c.certify > 0 && c.certify < 1)) refuse(k, v, "a gap between 0 and 1, such as 1e-3");
+       }},
   };
   return all;
 }
@@ -187,6 +192,7 @@ std::map<std::string, std::string> describe(const RunConfig& config) {
   if (config.rounding == Rounding::nearest) fields["rounding"] = "nearest";
   if (!config.device.empty()) fields["device"] = config.device;
   if (config.single_precision) fields["precision"] = "single";
+  if (config.certify > 0) fields["certify"] = fmt::format("{}", config.certify);
   return fields;
 }
 

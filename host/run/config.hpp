@@ -28,11 +28,12 @@ struct RunConfig {
       settings;                ///< `--set GROUP.NAME=VALUE`; groups: ipopt moment problem formulation solver
   int repeat = 1;              ///< timed solves at most, >= 1
   double budget_seconds = 20;  ///< no further repetition starts once this is spent
+  double certify = 0;          ///< relative gap to prove between result and bound; 0: no certificate
 };
 
 /// Sets one field from text, as the command line and TOML files name them: model, problem, formulation,
 /// solver, resolution (N or NXxNYxNZ), wall, axis, contact, up ("x,y,z"), unit, size, density, void-density,
-/// fineness, device, precision, repeat, budget, and GROUP.NAME for settings.
+/// fineness, device, precision, repeat, budget, certify, and GROUP.NAME for settings.
 ///
 /// @throws InputError  unknown key or unfit value; names both and what was expected
 void set_field(RunConfig& config, std::string_view key, std::string_view value);

@@ -1,8 +1,15 @@
 #include "run/result.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace kreisel {
+
+double RunResult::gap() const {
+  const double f = outcome.objective, bound = certificate.value().bound;
+  if (!std::isfinite(bound)) return std::numeric_limits<double>::infinity();
+  return (f - bound) / std::abs(f);
+}
 
 Moments RunResult::model_moments(const Moments& body) const {
   // Body units -> mm and grams, then x = R^T X L + origin.

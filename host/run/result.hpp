@@ -8,6 +8,7 @@
 #include "body/frame.hpp"
 #include "run/config.hpp"
 #include "run/provenance.hpp"
+#include "solve/certificate.hpp"
 #include "solve/solver.hpp"
 
 namespace kreisel {
@@ -58,13 +59,18 @@ struct RunResult {
   double solid_objective = 0;  ///< f of the solid body, before anything is hollowed
 
   std::size_t variables = 0;
-  std::string scope;             ///< Problem::scope()
-  Outcome outcome;               ///< of the last timed solve
-  std::string infeasibility;     ///< what cannot be met, when the outcome is infeasible
-  std::vector<Seconds> samples;  ///< every timed solve
-  Seconds median;                ///< of each column of samples
+  std::string scope;                       ///< Problem::scope()
+  Outcome outcome;                         ///< of the last timed solve
+  std::string infeasibility;               ///< what cannot be met, when the outcome is infeasible
+  std::optional<Certificate> certificate;  ///< when asked for
+  std::vector<Seconds> samples;            ///< every timed solve
+  Seconds median;                          ///< of each column of samples
   RoundingCost rounding;
   Verified verified;
+
+  /// How far the objective may be above the least there is, as a share of it; infinite where nothing was
+  /// proved, or where no interior meets the constraints. With a certificate only.
+  [[nodiscard]] double gap() const;
 
   /// Body-frame moments in model units (g, mm) about the model's own origin and axes.
   [[nodiscard]] Moments model_moments(const Moments& body) const;

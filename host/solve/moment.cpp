@@ -7,10 +7,11 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <random>
 
 #include "error.hpp"
 #include "parse.hpp"
-#include "solve/dual.hpp"
 
 namespace kreisel {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 struct MomentOptions {
   double tolerance = 1e-13;
   int levels = std::numeric_limits<int>::max();
+  std::optional<unsigned> seed;
 };
 
 MomentOptions parse_options(const std::map<std::string, std::string>& own) {
@@ -28,23 +30,16 @@ MomentOptions parse_options(const std::map<std::string, std::string>& own) {
       options.tolerance = value;
     else if (name == "levels" && value >= 1 && value == std::floor(value))
       options.levels = static_cast<int>(value);
+    else if (name == "seed" && value >= 0 && value <= 1e9 && value == std::floor(value))
+      options.seed = static_cast<unsigned>(value);
     else
-      throw InputError(
-          fmt::format("moment.{} = {}; expected tolerance > 0 or levels >= 1, whole", name, text));
+      throw InputError(fmt::format(
+          "moment.{} = {}; expected tolerance > 0, levels >= 1, whole, or seed >= 0, whole", name, text));
   }
   return options;
 }
 
-/// Where the solver is: moments, the multipliers of its rows, and the quadric they make.
-struct State {
-  Moments s = Moments::Zero();
-  Eigen::VectorXd multipliers;
-  std::vector<bool> active;
-  Moments q = Moments::Zero();
-  double residual = std::numeric_limits<double>::infinity();  ///< of s = s(q) and of the rows
-};
-
-enum class Phase { going_on, converged, infeasible, stalled, interrupted };
+using State = MomentPoint;
 
 class Search {
  public:
@@ -56,7 +51,7 @@ class Search {
         history_(history) {}
 
   /// From `state` to the optimum. @param known  `state` comes from a coarser level: Newton first
-  Phase run(State& state, bool known);
+  Phase run(State& state, bool known, int most_steps);
 
  private:
   [[nodiscard]] bool margin() const { return problem_.goal() == Goal::margin; }
@@ -177,21 +172,40 @@ Phase Search::newton(State& state) {
                                                                                             : Phase::going_on;
 }
 
-Phase Search::run(State& state, bool known) {
-  constexpr int most_steps = 200;
+Phase Search::run(State& state, bool known, int most_steps) {
   for (int step = 0; step < most_steps; ++step) {
     if (known || state.residual < 3e-2) {
       const Phase phase = margin() ? Phase::going_on : newton(state);
       if (phase == Phase::converged) return phase;
     }
-    const Phase phase = model_step(state, step == 0 && !known);
+    // What does not meet the rows is left at once; from what does, f guides the step.
+    const bool off = known && rows_.violation(state.s) > 1e-6;
+    const Phase phase = model_step(state, step == 0 && (!known || off));
     known = false;
     if (phase != Phase::going_on) return phase;
   }
   return Phase::stalled;
 }
 
+/// Any quadric that cuts a body of unit size.
+Moments random_quadric(unsigned seed) {
+  std::mt19937 engine(seed);
+  // Not std::normal_distribution, whose values differ from library to library.
+  const auto uniform = [&] { return 2 * static_cast<double>(engine()) / 4294967295.0 - 1; };
+  Moments q;
+  for (double& coefficient : q) coefficient = uniform();
+  return q;
+}
+
 }  // namespace
+
+Phase find_stationary(const Problem& problem, TotalSupport& oracle, double tolerance, int most_steps,
+                      MomentPoint& point) {
+  std::vector<Iterate> history;
+  Search search(problem, oracle, tolerance, history);
+  point.residual = std::numeric_limits<double>::infinity();
+  return search.run(point, true, most_steps);
+}
 
 Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
   const MomentOptions own = parse_options(options.own);
@@ -211,10 +225,16 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
     Search search(problem, oracle, level == 0 ? own.tolerance : 1e-8, outcome.history);
     if (!known) {
       state = {};
-      state.s = oracle(-Moments::Unit(S1), false).moments;  // solid
+      Moments from = -Moments::Unit(S1);  // solid
+      if (options.from.size() == 10)
+        from = Moments(options.from.data());
+      else if (own.seed)
+        from = random_quadric(*own.seed);
+      state.s = oracle(from, false).moments;
     }
     state.residual = std::numeric_limits<double>::infinity();
-    phase = search.run(state, known);
+    constexpr int most_steps = 200;
+    phase = search.run(state, known, most_steps);
     known = phase == Phase::converged;
     outcome.evaluations.objective += oracle.passes();
     outcome.evaluations.hessian += oracle.hessian_passes();

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include "error.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/published.hpp"
+#include "experiment/published_table.hpp"
+#include "experiment/recorded_runs.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/speedup_table.hpp"
 #include "experiment/table_parts.hpp"
@@ -315,6 +318,22 @@ TEST(Table, FindsTheRecordsOfTheExperiment) {
   EXPECT_FALSE(runs[0].record);
   ASSERT_TRUE(runs[1].record);
   EXPECT_EQ(runs[1].record->error, "broken");
+}
+
+TEST(GapColumn, IsThereWhenARunIsCertified) {
+  RecordedRun plain = optimal_run(), certified = optimal_run();
+  certified.record->gap = 4e-4;
+  certified.record->bound = 0.79968;
+  plain.run.config.formulation = "voxel";
+  for (const auto make : {runs_tables, speedup_tables, published_tables}) {
+    EXPECT_EQ(to_csv(make({plain}, {})).find("gap"), std::string::npos);
+    const Tables tables = make({certified, plain}, {});
+    EXPECT_NE(to_csv(tables).find("gap_percent"), std::string::npos) << to_csv(tables);
+    EXPECT_NE(to_text(tables).find("0.04"), std::string::npos) << to_text(tables);
+  }
+  // No interior at all: nothing that a share could be of.
+  certified.record->gap = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(gap_cell(certified).text, Cell::none().text);
 }
 
 }  // namespace

@@ -49,6 +49,15 @@ ATTRIBUTES = {
     },
 }
 
+# Of a certified run alone.
+CERTIFIED = {
+    "/": {"bound": REAL, "gap": REAL},
+    "/certificate": {
+        "kind": TEXT, "bound": REAL, "best": REAL, "reached": FLAG, "message": TEXT, "seconds": REAL,
+        "searches": WHOLE, "separation": REAL, "contrast": REAL, "lambda": REAL, "gamma_i": REAL,
+    },
+}
+
 # name: (type, shape with None for any length, names of the columns)
 DATASETS = {
     "/body/axis": ("f8", (3,), XYZ),
@@ -72,6 +81,21 @@ DATASETS = {
     "/verified/moments": ("f8", (10,), MOMENTS),
 }
 
+CERTIFIED_DATASETS = {
+    "/certificate/q": ("f8", (1, 10), MOMENTS),
+    "/certificate/rows": ("f8", (None, 10), MOMENTS),
+    "/certificate/bounds": ("f8", (None,), None),
+    "/certificate/equality": ("i4", (None,), None),
+    "/certificate/multipliers": ("f8", (None,), None),
+    "/certificate/objective": ("f8", (1, 10), MOMENTS),
+    "/certificate/numerators": ("f8", (None, 10), MOMENTS),
+    "/certificate/weights": ("f8", (None,), None),
+    "/certificate/denominator": ("f8", (1, 10), MOMENTS),
+    "/certificate/boxes": ("f8", (None, 14), ["c_low", "c_high", "empty", "value", "t_low", "t_high", "u1", "u2",
+                                              "u3", "mu_x", "mu_y", "mu_xz", "mu_yz", "nu"]),
+    "/certificate/box_quadrics": ("f8", (None, 10), MOMENTS),
+}
+
 
 def check(file):
     """Every way in which an open file departs from the schema, one line each."""
@@ -81,7 +105,11 @@ def check(file):
         if not fine:
             wrong.append(" ".join(map(str, words)))
 
-    for group, wanted in ATTRIBUTES.items():
+    attributes, datasets = ATTRIBUTES, DATASETS
+    if "certificate" in file:
+        attributes = {g: ATTRIBUTES.get(g, {}) | CERTIFIED.get(g, {}) for g in ATTRIBUTES | CERTIFIED}
+        datasets = DATASETS | CERTIFIED_DATASETS
+    for group, wanted in attributes.items():
         for name, kind in wanted.items():
             value = file[group].attrs.get(name)
             expect(isinstance(value, kind), group, name, "is", repr(value), "expected", kind.__name__)
@@ -89,7 +117,7 @@ def check(file):
         present = {name for name in file[group].attrs if not name.startswith("setting_")}
         expect(present == set(wanted), group, "has other attributes:",
                *present ^ set(wanted))
-    for name, (kind, shape, columns) in DATASETS.items():
+    for name, (kind, shape, columns) in datasets.items():
         data = file[name]
         fits = len(data.shape) == len(shape) and all(w in (None, n) for n, w in zip(data.shape, shape))
         expect(data.dtype == kind and fits, name, "is", data.dtype, data.shape, "expected", kind, shape)
@@ -97,7 +125,7 @@ def check(file):
         expect(columns is None or list(data.attrs.get("columns", [])) == columns, name, "has other columns")
     found = []
     file.visititems(lambda name, node: found.append("/" + name) if isinstance(node, h5py.Dataset) else None)
-    expect(set(found) == set(DATASETS), "other datasets:", *set(found) ^ set(DATASETS))
+    expect(set(found) == set(datasets), "other datasets:", *set(found) ^ set(datasets))
     expect(all(isinstance(v, str) for v in file["config"].attrs.values()), "/config holds more than text")
     expect(all(isinstance(v, REAL) for v in file["verified/values"].attrs.values()),
            "/verified/values holds more than numbers")

@@ -82,6 +82,27 @@ RunResult made_by_hand() {
   return r;
 }
 
+/// The same, certified to be within a fifth.
+RunResult certified_by_hand() {
+  RunResult r = made_by_hand();
+  Certificate& c = r.certificate.emplace();
+  c.kind = Certificate::Kind::spin;
+  c.bound = 0.6;
+  c.best = 0.7;
+  c.seconds = 1.25;
+  c.searches = 3;
+  c.message = "the gap was reached";
+  c.reached = true;
+  c.contrast = 0.9;
+  c.spin = {0.25, 1};
+  const double infinity = std::numeric_limits<double>::infinity();
+  c.boxes.push_back({.low = -infinity, .high = 0.25, .empty = true, .value = infinity, .nu = -1});
+  c.boxes.push_back(
+      {.low = 0.25, .high = 0.5, .value = 0.6, .t_low = 0.7, .t_high = 0.8, .u = {0.6, 0.8, 0}});
+  c.boxes.push_back({.low = 0.5, .high = infinity, .empty = true, .value = infinity, .nu = 1});
+  return r;
+}
+
 void expect_equal(const Seconds& got, const Seconds& want) {
   EXPECT_EQ(got.setup, want.setup);
   EXPECT_EQ(got.kernels, want.kernels);
@@ -165,6 +186,35 @@ TEST_F(Record, KeepsTablesWithTheirShapes) {
   const Moments model = r.model_moments(r.outcome.moments);
   EXPECT_EQ(file.group("solve").read("moments_model").values,
             std::vector<double>(model.data(), model.data() + model.size()));
+}
+
+TEST_F(Record, OfACertifiedRunHoldsTheProof) {
+  const RunResult r = certified_by_hand();
+  write_record(folder_.path / "run.h5", r);
+  const RecordSummary s = read_record(folder_.path / "run.h5");
+  EXPECT_EQ(s.bound.value(), 0.6);
+  EXPECT_DOUBLE_EQ(s.gap.value(), 0.2);
+  const auto group = hdf5::File::open(folder_.path / "run.h5").group("certificate");
+  EXPECT_EQ(group.text("kind"), "spin");
+  EXPECT_EQ(group.real("best"), 0.7);
+  const auto boxes = group.read("boxes");
+  ASSERT_EQ(boxes.shape, (hdf5::Shape{3, 14}));
+  EXPECT_EQ(std::vector<double>(boxes.values.begin() + 14, boxes.values.begin() + 28),
+            (std::vector<double>{0.25, 0.5, 0, 0.6, 0.7, 0.8, 0.6, 0.8, 0, 0, 0, 0, 0, 0}));
+  const auto quadrics = group.read("box_quadrics");
+  ASSERT_EQ(quadrics.shape, (hdf5::Shape{6, 10}));
+  const Moments upper = r.certificate->boxes[1].quadric(0.5, 0.8);
+  for (Eigen::Index k = 0; k < 10; ++k) EXPECT_EQ(quadrics.values[std::size_t(30 + k)], upper[k]) << k;
+  // 0.6 (y^2 + z^2 - c^2) + 0.8 (x^2 + z^2 - c^2) - 0.8 (x^2 + y^2) at c = 0.5
+  EXPECT_DOUBLE_EQ(upper[S1], -0.35);
+  EXPECT_DOUBLE_EQ(upper[SYY], 0.6 - 0.8);
+  EXPECT_DOUBLE_EQ(upper[SZZ], 1.4);
+}
+
+TEST_F(Record, WithoutACertificateHasNone) {
+  write_record(folder_.path / "run.h5", made_by_hand());
+  const RecordSummary s = read_record(folder_.path / "run.h5");
+  EXPECT_FALSE(s.bound || s.gap);
 }
 
 TEST_F(Record, IsTheSameFileForTheSameResult) {
@@ -311,6 +361,18 @@ TEST(RecordJson, HasTheDocumentedNames) {
   EXPECT_EQ(j.at("commit"), "0123abc-dirty");
 }
 
+TEST(RecordJson, HasTheBoundOfACertifiedRun) {
+  RunResult r = certified_by_hand();
+  const nlohmann::json j = to_json(r);
+  EXPECT_EQ(j.at("bound"), 0.6);
+  EXPECT_DOUBLE_EQ(j.at("gap").get<double>(), 0.2);
+  EXPECT_EQ(j.at("certificate"), "spin");
+  EXPECT_EQ(j.at("boxes"), 3);
+  EXPECT_EQ(j.at("certify_seconds"), 1.25);
+  r.certificate->bound = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(to_json(r).at("gap").is_null());
+}
+
 TEST(RecordJson, TurnsWhatIsNotANumberIntoNull) {
   RunResult r = made_by_hand();
   r.outcome.objective = -std::numeric_limits<double>::infinity();
@@ -332,10 +394,12 @@ TEST_F(Record, IsReadByH5py) {
     GTEST_SKIP() << python << " cannot import h5py";
   const char* kept = std::getenv("KREISEL_TEST_RECORD");
   const fs::path path = kept != nullptr && *kept != '\0' ? fs::path(kept) : folder_.path / "run.h5";
-  write_record(path, made_by_hand());
   const fs::path script = fs::path(KREISEL_SOURCE) / "tests/record/h5py_test.py";
   const std::string command = python + " '" + script.string() + "' '" + path.string() + "'";
-  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  for (const RunResult& result : {certified_by_hand(), made_by_hand()}) {
+    write_record(path, result);
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  }
 }
 
 }  // namespace

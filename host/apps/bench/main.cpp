@@ -81,6 +81,14 @@ void add_run_options(CLI::App& app, Parsed& parsed) {
                  "GROUP.NAME=VALUE; groups: ipopt (any of its options), moment, problem, formulation, solver")
       ->allow_extra_args(false)
       ->type_name("GROUP.NAME=VALUE");
+  app.add_option_function<std::string>(
+         "--certify",
+         [&parsed](const std::string& text) {
+           parsed.given.emplace_back("certify", text == "true" || text.empty() ? "1e-3" : text);
+         },
+         "prove how far from the best the result can be, until this relative gap; alone: 1e-3")
+      ->expected(0, 1)
+      ->type_name("GAP");
   app.add_option("--json", parsed.once.json_file, "write the result as JSON; - for standard output");
   app.add_option("--mesh", parsed.once.mesh_file,
                  "write the hollowed part, mm; .stl, .3mf, .obj, .ply or .off");

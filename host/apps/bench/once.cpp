@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "apps/bench/commands.hpp"
@@ -12,6 +13,20 @@
 
 namespace kreisel::bench {
 namespace {
+
+void print_certificate(const RunResult& r) {
+  const Certificate& c = *r.certificate;
+  if (c.kind == Certificate::Kind::infeasible) {
+    fmt::print(
+        "  certified  no interior meets the constraints: a quadric separates them by {:.3g}; {:.2f} s\n",
+        c.separation, c.seconds);
+    return;
+  }
+  fmt::print("  certified  f >= {:.6f}, gap {:.3g} %, {} boxes, {:.2f} s ({})\n", c.bound, 100 * r.gap(),
+             c.boxes.size(), c.seconds, c.message);
+  if (c.best < r.outcome.objective - 1e-6 * std::abs(r.outcome.objective))
+    fmt::print("  better     f = {:.6f} was found on the way, by --formulation quadric\n", c.best);
+}
 
 void print_result(const RunResult& r, const TriangleMesh& outer) {
   const Outcome& o = r.outcome;
@@ -35,6 +50,7 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
   if (!r.infeasibility.empty()) fmt::print("  infeasible {}\n", r.infeasibility);
   fmt::print("  time       {:.3f} s solve ({:.3f} s in kernels), {:.3f} s set-up; median of {}\n",
              r.median.solve, r.median.kernels, r.median.setup, r.samples.size());
+  if (r.certificate) print_certificate(r);
   fmt::print("  objective  {:.6f} (the solid body: {:.6f}); violation {:.1e}\n", o.objective,
              r.solid_objective, o.violation);
   fmt::print(

@@ -37,6 +37,7 @@ void print(const RecordSummary& r) {
   if (!r.infeasibility.empty()) fmt::print("  infeasible {}\n", r.infeasibility);
   fmt::print("  time       {:.3f} s solve ({:.3f} s in kernels), {:.3f} s set-up; median of {}\n",
              r.median.solve, r.median.kernels, r.median.setup, r.samples.size());
+  if (r.bound && r.gap) fmt::print("  certified  f >= {:.6f}, gap {:.3g} %\n", *r.bound, 100 * *r.gap);
   fmt::print("  rounded    objective {:.6f}, violation {:.1e}, {} voxels mended, {} moved\n",
              r.rounded_objective, r.rounded_violation, r.mended_voxels, r.moved_voxels);
   fmt::print("  verified   {}\n", r.verified_text);

@@ -1,0 +1,69 @@
+#include "record/write_certificate.hpp"
+
+#include <cmath>
+
+namespace kreisel {
+namespace {
+
+const std::vector<std::string>& moment_columns() {
+  static const std::vector<std::string> names(moment_names.begin(), moment_names.end());
+  return names;
+}
+
+void write_forms(hdf5::Group& group, const std::string& name,
+                 const Eigen::Matrix<double, Eigen::Dynamic, 10>& forms) {
+  const Eigen::Matrix<double, Eigen::Dynamic, 10, Eigen::RowMajor> rows = forms;
+  group.write(name, {rows.data(), static_cast<std::size_t>(rows.size())},
+              {static_cast<std::size_t>(rows.rows()), 10}, {"per body unit", moment_columns()});
+}
+
+void write_list(hdf5::Group& group, const std::string& name, const Eigen::VectorXd& values) {
+  const auto n = static_cast<std::size_t>(values.size());
+  group.write(name, {values.data(), n}, {n}, {"1", {}});
+}
+
+void write_boxes(hdf5::Group& group, const std::vector<CertifiedBox>& boxes) {
+  std::vector<double> values, quadrics;
+  for (const CertifiedBox& b : boxes) {
+    values.insert(values.end(), {b.low, b.high, b.empty ? 1.0 : 0.0, b.value, b.t_low, b.t_high, b.u[0],
+                                 b.u[1], b.u[2], b.mu[0], b.mu[1], b.mu[2], b.mu[3], b.nu});
+    for (const auto& [c, t] : {std::pair{b.low, b.t_low}, std::pair{b.high, b.t_high}}) {
+      const Moments q = std::isfinite(c) ? b.quadric(c, t) : Moments::Zero();
+      quadrics.insert(quadrics.end(), q.begin(), q.end());
+    }
+  }
+  group.write("boxes", values, {boxes.size(), 14},
+              {"body units",
+               {"c_low", "c_high", "empty", "value", "t_low", "t_high", "u1", "u2", "u3", "mu_x", "mu_y",
+                "mu_xz", "mu_yz", "nu"}});
+  group.write("box_quadrics", quadrics, {2 * boxes.size(), 10}, {"per body unit", moment_columns()});
+}
+
+}  // namespace
+
+void write_certificate(hdf5::Group group, const Certificate& c) {
+  group.set("kind", to_string(c.kind));
+  group.set("bound", c.bound);
+  group.set("best", c.best);
+  group.set("reached", c.reached);
+  group.set("message", c.message);
+  group.set("seconds", c.seconds);
+  group.set("searches", c.searches);
+  group.set("separation", c.separation);
+  group.set("contrast", c.contrast);
+  group.set("lambda", c.spin.lambda);
+  group.set("gamma_i", c.spin.gamma_i);
+  write_forms(group, "q", c.q.transpose());
+  write_forms(group, "rows", c.rows.matrix);
+  write_list(group, "bounds", c.rows.bound);
+  const std::vector<int> equality(c.rows.equality.begin(), c.rows.equality.end());
+  group.write("equality", equality, {equality.size()}, {"1", {}});
+  write_list(group, "multipliers", c.multipliers);
+  write_forms(group, "objective", c.objective.transpose());
+  write_forms(group, "numerators", c.numerators);
+  write_list(group, "weights", c.weights);
+  write_forms(group, "denominator", c.denominator.transpose());
+  write_boxes(group, c.boxes);
+}
+
+}  // namespace kreisel

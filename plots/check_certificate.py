@@ -1,0 +1,239 @@
+#!/usr/bin/python3
+"""Does the certificate in a record prove what it says? Knows nothing of the program that made it.
+
+    check_certificate.py RECORD.h5
+
+h(q), the least q . s of any interior of the domain, is computed again: every interval is clipped by the quadric with
+arithmetic of this file, in double, and its rounding error is subtracted. Exit status 1 when anything fails to hold.
+Method and proofs: docs/quadric.md, section 4.
+"""
+
+import math
+import sys
+
+import h5py
+import numpy as np
+
+EPS = 2.0**-53
+X, Y, Z, XY, YZ, XZ, XX, YY, ZZ = range(1, 10)  # behind the constant, in the order of moments
+
+
+class Domain:
+    """All fillings of a domain's intervals, by the least value of a linear form of their total moments."""
+
+    def __init__(self, file):
+        domain, certificate = file["domain"], file["certificate"]
+        origin, h = domain["grid_origin"][:], domain.attrs["spacing"]
+        ix, iy, k0, k1 = domain["intervals"][:].astype(float).T
+        x, y = origin[0] + h * (ix + 0.5), origin[1] + h * (iy + 0.5)
+        self.lower, self.upper = origin[2] + h * k0, origin[2] + h * k1
+        one, mean = np.ones_like(x), h * h / 12
+        self.across = {0: np.stack([one, x, y, x * y, x * x + mean, y * y + mean]),  # with z^0
+                       1: np.stack([one, y, x]),                                     # with z^1
+                       2: one[None]}
+        self.area = h * h
+        self.fixed, self.contrast = file["body/fixed"][:], certificate.attrs["contrast"]
+        self.interior = self.integrals(self.lower, self.upper)
+        longest = np.maximum(abs(self.lower), abs(self.upper))
+        sizes = self.integrals(np.zeros_like(x), self.upper - self.lower, longest, absolute=True)
+        self.sizes = abs(self.fixed) + self.contrast * sizes
+        # numpy adds in pairs, blocks of 128 in eight lanes.
+        self.chain = 128 / 8 + 8 + math.ceil(math.log2(len(x) + 1)) + 2 * 3
+
+    COLUMNS = {0: [0, X, Y, XY, XX, YY], 1: [Z, YZ, XZ], 2: [ZZ]}
+
+    def integrals(self, z0, z1, longest=None, absolute=False):
+        """Moments of the pieces from z0 to z1 of every interval; with `absolute`, what they may be at most."""
+        out = np.zeros(10)
+        length = z1 - z0
+        heights = {0: length,
+                   1: length * longest if absolute else length * (z0 + z1) / 2,
+                   2: length * longest**2 if absolute else length * (z0 * z0 + z0 * z1 + z1 * z1) / 3}
+        for power, columns in self.COLUMNS.items():
+            factors = abs(self.across[power]) if absolute else self.across[power]
+            out[columns] = self.area * np.sum(factors * heights[power], axis=1)
+        return out
+
+    def least(self, q):
+        """h(q) as computed, and what it may be too high by."""
+        c = q[self.COLUMNS[0]] @ self.across[0]
+        b = q[self.COLUMNS[1]] @ self.across[1]
+        a = np.full_like(c, q[ZZ])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            d = -0.5 * (b + np.copysign(np.sqrt(np.maximum(b * b - 4 * a * c, 0)), b))
+            roots = np.stack([d / a, c / d])
+        roots = np.where(np.isfinite(roots) & (b * b > 4 * a * c), roots, self.lower)
+        cuts = np.sort(np.clip(roots, self.lower, self.upper), axis=0)
+        ends = [self.lower, cuts[0], cuts[1], self.upper]
+        s = self.fixed.copy()
+        for z0, z1 in zip(ends, ends[1:]):
+            middle = (z0 + z1) / 2
+            inside = c + middle * (b + a * middle) < 0
+            s = s + self.contrast * self.integrals(z0, np.where(inside, z1, z0))
+        return q @ s, (self.chain + 32) * EPS * (abs(q) @ self.sizes)
+
+    def positive(self, q):
+        h, margin = self.least(q)
+        return h - margin >= 0
+
+
+def unit(k):
+    return np.eye(10)[k]
+
+
+def box_quadric(box, c, t):
+    q = box["u1"] * (unit(YY) + unit(ZZ)) + box["u2"] * (unit(XX) + unit(ZZ)) - t * (unit(XX) + unit(YY))
+    q += math.sqrt(2) * box["u3"] * unit(XY) - box["nu"] * unit(Z)
+    q += box["mu_x"] * unit(X) + box["mu_y"] * unit(Y) + box["mu_xz"] * unit(XZ) + box["mu_yz"] * unit(YZ)
+    q[0] = box["nu"] * c - (box["u1"] + box["u2"]) * c * c
+    return q
+
+
+def least_in(box, weight, gamma):
+    """The least weight * c + gamma * max(t(c), 0)^2 in the box, t straight between its ends: convex in c."""
+    low, high, t0, t1 = (box[k] for k in ("c_low", "c_high", "t_low", "t_high"))
+    shares = [0.0, 1.0]
+    if high > low and t1 != t0:
+        slope = (t1 - t0) / (high - low)
+        for t in (-weight / (2 * gamma * slope), 0.0):
+            shares.append(min(max((t - t0) / (t1 - t0), 0.0), 1.0))
+    # A minimum is flat: the arithmetic of its place does not count.
+    return min(weight * (low + s * (high - low)) + gamma * max(t0 + s * (t1 - t0), 0) ** 2 for s in shares)
+
+
+def check_spin(file, domain, expect):
+    certificate = file["certificate"]
+    weight, gamma = certificate.attrs["lambda"], certificate.attrs["gamma_i"]
+    config = file["config"].attrs
+    expect(weight == float(config.get("problem.lambda", 0)), "lambda is not the run's")
+    expect(gamma == float(config.get("problem.gamma_i", 1)), "gamma_i is not the run's")
+    s = file["solve/moments"][:]
+    c = s[Z] / s[0]
+    j = np.array([s[YY] + s[ZZ] - c * s[Z], s[XX] + s[ZZ] - c * s[Z], math.sqrt(2) * s[XY]])
+    f = weight * c + gamma * (j @ j) / (s[XX] + s[YY]) ** 2
+
+    table = certificate["boxes"]
+    names = list(table.attrs["columns"])
+    boxes = [dict(zip(names, row)) for row in table[:]]
+    quadrics = certificate["box_quadrics"][:].reshape(-1, 2, 10)
+    expect(len(boxes) > 0 and len(quadrics) == len(boxes), "no boxes, or not two quadrics for each")
+    if not boxes:
+        return f, -math.inf
+    expect(boxes[0]["c_low"] == -math.inf and boxes[-1]["c_high"] == math.inf, "the boxes do not reach to infinity")
+    for i, (box, pair) in enumerate(zip(boxes, quadrics)):
+        if i > 0:
+            expect(box["c_low"] <= boxes[i - 1]["c_high"], f"nothing covers the heights before box {i}")
+        u = np.array([box["u1"], box["u2"], box["u3"]])
+        expect(u @ u <= 1 and u[0] >= 0 and u[1] >= 0, f"box {i}: u is not in its set")
+        for at, t, stored in ((box["c_low"], box["t_low"], pair[0]), (box["c_high"], box["t_high"], pair[1])):
+            if math.isinf(at):
+                # No end: what is affine in c must not fall towards it.
+                expect(box["empty"] == 1 and not u.any() and box["nu"] * math.copysign(1, at) >= 0,
+                       f"box {i}: nothing holds towards infinity")
+                continue
+            q = box_quadric(box, at, t)
+            expect(np.allclose(q, stored, rtol=1e-13, atol=1e-13), f"box {i}: another quadric is stored")
+            h, margin = domain.least(q)
+            if box["empty"]:
+                expect(not u.any() and t == 0 and h - margin > 0, f"box {i}: not proved to be empty")
+            else:
+                expect(h - margin >= 0, f"box {i}: h = {h:.3e} < {margin:.3e} at its end {at:g}")
+        if box["empty"]:
+            expect(box["value"] == math.inf, f"box {i} is empty, with a value")
+        else:
+            least = least_in(box, weight, gamma)
+            expect(box["value"] <= least + 4 * EPS * abs(least), f"box {i}: {box['value']} > {least}")
+    return f, min(box["value"] for box in boxes)
+
+
+def check_multipliers(file, expect):
+    certificate = file["certificate"]
+    equality, mu = certificate["equality"][:], certificate["multipliers"][:]
+    expect(len(mu) == len(equality) == len(certificate["rows"]), "not a multiplier for each row")
+    expect(np.all(mu[equality == 0] >= 0), "a negative multiplier of an inequality")
+    return mu @ certificate["rows"][:].reshape(-1, 10), float(mu @ certificate["bounds"][:])
+
+
+def check_linear(file, domain, expect):
+    form, offset = check_multipliers(file, expect)
+    objective = file["certificate/objective"][:].ravel()
+    h, margin = domain.least(objective + form)
+    return objective @ file["solve/moments"][:], h - margin - offset
+
+
+def check_ratio(file, domain, expect):
+    certificate = file["certificate"]
+    form, offset = check_multipliers(file, expect)
+    numerators, w = certificate["numerators"][:].reshape(-1, 10), certificate["weights"][:]
+    denominator, s = certificate["denominator"][:].ravel(), file["solve/moments"][:]
+    expect(len(w) == len(numerators) and np.all(w >= 0) and abs(w.sum() - 1) < 1e-12, "weights are none")
+    expect(not np.any(certificate["bounds"][:]), "a ratio's rows have other bounds than 0")
+    h, margin = domain.least(denominator)
+    expect(h - margin > 0, "the denominator is not positive")
+    bound = certificate.attrs["bound"]
+    fine = math.isfinite(bound) and domain.positive(w @ numerators + form - bound * denominator)
+    return np.max(numerators @ s) / (denominator @ s), bound if fine else -math.inf
+
+
+def check_masses(file, domain, expect):
+    """Shell, interior and solid belong together."""
+    def same(one, other):
+        return np.allclose(one, other, rtol=1e-9, atol=1e-12)
+
+    config = file["config"].attrs
+    share = float(config.get("void-density", 0)) / file["body"].attrs["density"]
+    expect(same(domain.contrast, 1 - share), "the contrast is not that of the densities")
+    expect(same(domain.interior, file["body/interior"][:]), "the interior is not that of the intervals")
+    expect(same(domain.fixed + domain.contrast * domain.interior, file["body/solid"][:]),
+           "shell and interior do not add up to the solid")
+
+
+def check_infeasible(file, domain, expect):
+    form, offset = check_multipliers(file, expect)
+    h, margin = domain.least(form)
+    expect(h - margin - offset > 0, "nothing separates the rows from the interiors")
+    expect(file.attrs["termination"] == "infeasible", "the run says that there is a result")
+    return None, math.inf
+
+
+KINDS = {"linear": check_linear, "ratio": check_ratio, "spin": check_spin, "infeasible": check_infeasible}
+
+
+def check(file):
+    """What fails to hold, a line each, and a sentence of what does."""
+    wrong = []
+
+    def expect(fine, what):
+        if not fine:
+            wrong.append(what)
+
+    certificate = file["certificate"]
+    kind, bound, objective = certificate.attrs["kind"], certificate.attrs["bound"], file.attrs["objective"]
+    if kind not in KINDS:
+        return [f"kind is {kind}, expected one of {', '.join(KINDS)}"], ""
+    domain = Domain(file)
+    check_masses(file, domain, expect)
+    f, proved = KINDS[kind](file, domain, expect)
+    expect(bound <= proved, f"the bound is {bound}, but {proved} is proved")
+    expect(file.attrs["bound"] == bound, "two bounds are stored")
+    if f is not None:
+        expect(abs(f - objective) <= 1e-9 * max(abs(f), 1), f"f is {f} of the stored moments, not {objective}")
+        gap = (objective - bound) / abs(objective) if math.isfinite(bound) else math.inf
+        expect(file.attrs["gap"] == gap or abs(file.attrs["gap"] - gap) <= 1e-12, "the gap is another")
+    number = f", {len(certificate['boxes'])} boxes" if kind == "spin" else ""
+    what = "no interior meets the constraints" if kind == "infeasible" else f"f >= {bound:.9g}"
+    return wrong, f"{what}, {kind}{number}: proved"
+
+
+def main():
+    if len(sys.argv) != 2:
+        print("usage: check_certificate.py RECORD.h5", file=sys.stderr)
+        return 2
+    with h5py.File(sys.argv[1], "r") as file:
+        wrong, sentence = check(file) if "certificate" in file else (["no certificate"], "")
+    print(f"{sys.argv[1]}: {sentence if not wrong else f'{len(wrong)} fault(s): ' + wrong[0]}")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,123 @@
+// certificate_test.cpp - certified runs as a user makes them, and their check by a program of its own.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "apps/run_bench.hpp"
+#include "temporary_folder.hpp"
+
+namespace kreisel {
+namespace {
+
+const std::string python = "/usr/bin/python3";
+
+class Certified : public testing::Test {
+ protected:
+  [[nodiscard]] std::string record() const { return (folder_.path / "run.h5").string(); }
+  [[nodiscard]] nlohmann::json run(const std::string& arguments, int code = 0) const {
+    const BenchAnswer answer = bench(fmt::format("--record '{}' --json '{}' {}", record(),
+                                                 (folder_.path / "run.json").string(), arguments));
+    EXPECT_EQ(answer.code, code) << answer.out;
+    said_ = answer.out;
+    std::ifstream in(folder_.path / "run.json");
+    return nlohmann::json::parse(in, nullptr, false);
+  }
+  [[nodiscard]] BenchAnswer check() const {
+    return shell(fmt::format("{} '{}/plots/check_certificate.py' '{}'", python, KREISEL_SOURCE, record()));
+  }
+  static bool can_check() {
+    return std::system((python + " -c 'import h5py, numpy' 2>/dev/null").c_str()) == 0;
+  }
+
+  TemporaryFolder folder_;
+  mutable std::string said_;
+};
+
+TEST_F(Certified, EveryKindHoldsInAnotherProgram) {
+  if (!can_check()) GTEST_SKIP() << "h5py is not installed";
+  const std::string quadric = "--formulation quadric --solver moment --certify ";
+  for (const auto& [arguments, code, kind] :
+       {std::tuple{"--model ellipsoid --resolution 40", 0, "spin"},
+        std::tuple{"--model bird --resolution 40 --set problem.lambda=1", 0, "spin"},
+        std::tuple{"--model ellipsoid --resolution 40 --void-density 0.1", 0, "spin"},
+        std::tuple{"--model kitten --resolution 24 --problem float --draft 80%", 0, "linear"},
+        std::tuple{"--model kitten --resolution 24 --problem stand --target inside", 0, "ratio"},
+        std::tuple{"--model kitten --resolution 24 --problem stand --target max-tilt", 0, "ratio"},
+        std::tuple{"--model kitten --resolution 24 --problem stand", 3, "infeasible"}}) {
+    const nlohmann::json j = run(quadric + arguments, code);
+    EXPECT_EQ(j.at("certificate"), kind) << arguments;
+    if (code == 0) {
+      EXPECT_LE(j.at("gap").get<double>(), 1e-3) << arguments;
+    }
+    const BenchAnswer answer = check();
+    EXPECT_EQ(answer.code, 0) << arguments << ": " << answer.out;
+    EXPECT_NE(answer.out.find("proved"), std::string::npos) << answer.out;
+  }
+}
+
+TEST_F(Certified, WhateverTheFormulation) {
+  for (const char* way : {"rayrep", "voxel"}) {
+    const nlohmann::json j =
+        run(fmt::format("--model ellipsoid --resolution 40 --formulation {} --certify", way));
+    const double f = j.at("objective").get<double>(), bound = j.at("bound").get<double>();
+    EXPECT_LE(bound, f + 1e-7);
+    EXPECT_NEAR(j.at("gap").get<double>(), (f - bound) / f, 1e-12);
+    EXPECT_LT(j.at("gap").get<double>(), 0.02);
+    EXPECT_GE(j.at("boxes").get<int>(), 3);
+    EXPECT_GT(j.at("certify_seconds").get<double>(), 0);
+    EXPECT_NE(said_.find("certified  f >= "), std::string::npos) << said_;
+    if (can_check()) {
+      EXPECT_EQ(check().code, 0) << check().out;
+    }
+  }
+}
+
+/// Each in a fresh copy: what proves nothing must not pass.
+TEST_F(Certified, WhatWasTamperedWithFails) {
+  if (!can_check()) GTEST_SKIP() << "h5py is not installed";
+  (void)run("--model ellipsoid --resolution 40 --formulation quadric --solver moment --certify");
+  std::filesystem::copy_file(record(), folder_.path / "clean.h5");
+  ASSERT_EQ(check().code, 0);
+  for (const char* edit : {
+           "c.attrs['bound'] += 1e-6; f.attrs['bound'] += 1e-6",
+           "f.attrs['gap'] /= 2",
+           "c['boxes'][n, 3] += 1e-6; c.attrs['bound'] += 0",
+           "c['boxes'][n, 4] += 1e-4; c['box_quadrics'][2 * n, 7:9] -= 1e-4",
+           "c['boxes'][n, 0] += 1e-9",
+           "c['boxes'][n, 6:8] *= 2",
+           "c['boxes'][n, 9] += 0.01",
+           "c['boxes'][n, 13] += 0.01",
+           "c['boxes'][0, 1] += 0.05; c['boxes'][1, 0] += 0.05",
+           "c.attrs['contrast'] *= 1.01",
+           "c.attrs['gamma_i'] *= 1.01",
+           "f['body/fixed'][7] *= 0.9",
+           "f['domain/intervals'][0:20, 3] += 3",
+           "f['solve/moments'][7] *= 1.01",
+           "b = c['boxes'][:]; a = dict(c['boxes'].attrs); del c['boxes']; "
+           "d = c.create_dataset('boxes', data=np.delete(b, n, axis=0)); d.attrs.update(a)",
+       }) {
+    std::filesystem::copy_file(folder_.path / "clean.h5", record(),
+                               std::filesystem::copy_options::overwrite_existing);
+    // n: the box that decides.
+    const BenchAnswer edited = shell(
+        fmt::format("{} -c \"import h5py, numpy as np; f = h5py.File('{}', 'r+'); c = f['certificate']; "
+                    "n = int(np.argmin(c['boxes'][:, 3])); {}; f.close()\"",
+                    python, record(), edit));
+    ASSERT_EQ(edited.code, 0) << edit << '\n' << edited.out;
+    const BenchAnswer answer = check();
+    EXPECT_EQ(answer.code, 1) << edit << '\n' << answer.out;
+  }
+}
+
+TEST_F(Certified, AGapThatIsNoneIsRefused) {
+  for (const char* text : {"0", "2", "-1", "none"}) {
+    const BenchAnswer answer = bench(fmt::format("--certify={}", text));
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_NE(answer.out.find("certify"), std::string::npos) << answer.out;
+  }
+}
+
+}  // namespace
+}  // namespace kreisel

@@ -1,0 +1,313 @@
+// certificate_test.cpp - bounds against optima found by hand, against whatever is attained, on random bodies.
+#include "solve/certificate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "body/mesh_moments.hpp"
+#include "formulation/quadric.hpp"
+#include "problem/float.hpp"
+#include "problem/stand.hpp"
+#include "solve/certify_spin.hpp"
+#include "solve/test_tasks.hpp"
+
+namespace kreisel {
+namespace {
+
+constexpr double gap = 1e-3;
+
+/// A body with its domain, the columns' cells a sixteenth of the longest side.
+struct Case {
+  explicit Case(Body b, int resolution = 16) : body(std::move(b)) {
+    GridSpec grid;
+    grid.resolution = resolution;
+    domain = make_columns(body, grid, {1, Wall::cells});
+    mass = hollowed(body, domain.interior);
+  }
+  [[nodiscard]] Certificate certified(const Problem& problem, const CertifyOptions& options = {}) const {
+    return certify(problem, domain, mass, test_device(), options);
+  }
+  Body body;
+  Columns domain;
+  MassModel mass;
+};
+
+/// A brick that stands askew and off its axis.
+Case top(double off = 0.015) {
+  const Eigen::Matrix3d tilt = Eigen::AngleAxisd(0.03, Vec3(0.6, 0.8, 0)).toRotationMatrix();
+  const Vec3 half(0.5, 0.4, 0.625);
+  return Case(body_of(moved(box_mesh(-half, half), tilt, {off, -0.01, 0.65})));
+}
+
+/// A brick or a tetrahedron of any shape, askew, above the ground, more or less off its axis.
+Case random_case(Random& random) {
+  const Vec3 half = random_vec(random, 0.25, 0.6);
+  TriangleMesh mesh = box_mesh(-half, half);
+  if (uniform(random, 0, 1) < 0.4) {
+    const Vec3 a(0.6, 0, 0), b(-0.3, 0.5, 0), c(-0.3, -0.5, 0), d(0, 0, 0.9);
+    const auto near = [&](const Vec3& v) { return Vec3(v + random_vec(random, -0.1, 0.1)); };
+    mesh = tetrahedron_mesh(near(a), near(b), near(c), near(d));
+  }
+  const Eigen::Matrix3d tilt =
+      Eigen::AngleAxisd(uniform(random, 0, 0.5), random_vec(random, -1, 1).normalized()).toRotationMatrix();
+  const double off = uniform(random, 0, 1) < 0.25 ? 0.3 : 0.03;
+  Vec3 shift = random_vec(random, -off, off);
+  shift[2] = 1;
+  return Case(body_of(moved(mesh, tilt, shift)));
+}
+
+/// Moments that meet the problem's rows: what minimises random forms over all fillings, and mixtures.
+std::vector<Moments> attainable(const Case& on, const Problem& problem, Random& random, int count) {
+  const auto quadric = make_quadric(on.domain, {}, {}, test_device());
+  TotalSupport oracle(*quadric->oracle(), on.mass, 0);
+  const Rows rows = rows_of(problem.constraints(), false);
+  std::vector<Moments> found;
+  for (int i = 0; i < count; ++i) {
+    Model model;
+    for (double& q : model.linear) q = uniform(random, -1, 1);
+    const DualPoint point = minimise_model(oracle, model, rows, {}, 1e-12);
+    if (rows.violation(point.s) > 1e-11) continue;
+    if (!found.empty()) {
+      const double share = uniform(random, 0, 1);
+      found.push_back(share * point.s + (1 - share) * found.back());
+    }
+    found.push_back(point.s);
+  }
+  return found;
+}
+
+TEST(SafeSupport, IsTheReferenceUpToItsMargin) {
+  const Case on = top();
+  const Rays rays = rays_of(on.domain);
+  const SafeSupport support(rays, on.mass);
+  Random random(5);
+  for (int i = 0; i < 50; ++i) {
+    Moments q;
+    for (double& c : q) c = uniform(random, -1, 1);
+    const auto value = support.at(q);
+    const double want = q.dot(on.mass.total(reference::quadric_moments(rays, q).value));
+    // The reference adds in one chain: some thousand additions.
+    EXPECT_NEAR(value.h, want, value.margin + 2e3 * 0x1p-53 * q.cwiseAbs().sum());
+    EXPECT_GT(value.margin, 0);
+    EXPECT_LT(value.margin, 1e-12 * q.cwiseAbs().sum());
+    // The least of all: any other filling has as much or more.
+    Moments other;
+    for (double& c : other) c = uniform(random, -1, 1);
+    EXPECT_LE(value.h - value.margin, q.dot(support.at(other).s));
+  }
+}
+
+TEST(SafeSupport, FindsTheLargestRatioFromAnywhere) {
+  const Case on = top();
+  const SafeSupport support(rays_of(on.domain), on.mass);
+  const Moments z = Moments::Unit(SZ), one = Moments::Unit(S1);
+  const double lowest = support.largest_ratio(z, one, 0.5).value();
+  EXPECT_TRUE(support.certainly_positive(z - lowest * one));
+  EXPECT_LT(support.at(z - (lowest + 1e-11) * one).h, 0);
+  for (const double start : {-10.0, 0.0, 0.7, 10.0})
+    EXPECT_NEAR(support.largest_ratio(z, one, start).value(), lowest, 1e-11) << start;
+  // Without a shell there may be nothing: h is 0 at best, and nothing is certain.
+  const SafeSupport bare(rays_of(on.domain), MassModel{});
+  EXPECT_FALSE(bare.largest_ratio(z, one, 0.5));
+}
+
+TEST(Certificate, OfAFloatingBoxIsItsOptimum) {
+  const MassModel mass{0.2 * box_moments({0, 0, 0.7}, {1, 1, 1}), 0.75};
+  const double bottom = BoxDomain::base, fill = 0.65;
+  const double total = mass.fixed[S1] + mass.contrast * BoxDomain::area * fill;
+  const Float problem({{0.5, 1, Vec3(0, 0, 0.3), 1, 1}, total, 1, 1});
+  const Certificate c = certify(problem, BoxDomain::columns(), mass, test_device(), {});
+  const double want = (mass.fixed[SZ] + mass.contrast * BoxDomain::area * fill * (bottom + fill / 2)) / total;
+  EXPECT_EQ(c.kind, Certificate::Kind::linear);
+  EXPECT_TRUE(c.reached);
+  EXPECT_LE(c.bound, want + 1e-15);
+  EXPECT_NEAR(c.bound, want, 1e-11);  // twice the margin, of a sum of terms near 1
+}
+
+TEST(Certificate, OfAStandingBoxIsItsOptimum) {
+  const MassModel mass{0.2 * box_moments({0, 0, 0.7}, {1, 1, 1}), 0.75};
+  const Base base{hull_of({{-0.3, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {-0.3, 0.3}}), 0, 1.25};
+  const double a = mass.contrast * BoxDomain::area, m = mass.fixed[S1], bottom = BoxDomain::base;
+  const double p = m / a - bottom;
+  const double want = -p + std::sqrt(p * p - bottom * bottom + 2 * mass.fixed[SZ] / a);
+  for (const auto& problem : {Stand(base, std::nullopt), Stand(base, 0.05)}) {
+    const Certificate c = certify(problem, BoxDomain::columns(), mass, test_device(), {});
+    EXPECT_EQ(c.kind, Certificate::Kind::ratio);
+    EXPECT_LE(c.bound, want + 1e-15);
+    EXPECT_NEAR(c.bound, want, 1e-11);
+  }
+  const Certificate tilt = certify(MaxTilt(base, 0.3 / 0.7), BoxDomain::columns(), mass, test_device(), {});
+  EXPECT_LE(tilt.bound, -0.3 / want + 1e-15);
+  EXPECT_NEAR(tilt.bound, -0.3 / want, 1e-6);  // where its steps end
+}
+
+TEST(Certificate, OfWhatCannotBeMetSeparates) {
+  const Case on = top(0.4);  // too far off its axis
+  const Certificate c = on.certified(Spin({}));
+  ASSERT_EQ(c.kind, Certificate::Kind::infeasible);
+  EXPECT_GT(c.separation, 0);
+  EXPECT_TRUE(std::isinf(c.bound));
+  // The rows are s = 0, so q . s > 0 of every filling.
+  EXPECT_GT(c.q.dot(on.body.solid), 0);
+  EXPECT_GT(c.q.dot(on.mass.fixed), 0);
+}
+
+TEST(Certificate, BoundsWhateverIsAttained) {
+  Random random(11);
+  const Case on = top();
+  for (const double lambda : {0.0, 1.0}) {
+    const Spin problem({lambda, 1});
+    const Certificate c = on.certified(problem);
+    EXPECT_TRUE(c.reached) << c.message;
+    EXPECT_LE(c.bound, c.best);
+    const std::vector<Moments> all = attainable(on, problem, random, 40);
+    ASSERT_GT(all.size(), 40u);
+    for (const Moments& s : all) EXPECT_LE(c.bound, problem.value(s));
+    for (const std::string way : {"voxel", "rayrep"}) {
+      const auto formulation = make_formulation(way, on.domain, {}, {}, test_device());
+      const Outcome outcome =
+          solve(find_solver("ipopt", way), {problem, *formulation, on.mass, test_device()}, {});
+      // What Ipopt's violation may win: multipliers of order one.
+      EXPECT_LE(c.bound, outcome.objective + 10 * outcome.violation) << way;
+      EXPECT_LE((outcome.objective - c.best) / c.best, 0.01) << way;
+    }
+  }
+}
+
+/// The bounds of boxes lead to the optimum even where the solver has missed it.
+TEST(Certificate, FindsABetterOneThanItWasGiven) {
+  Random random(13);
+  const Case on = top();
+  const Spin problem({0.5, 1});
+  const Certificate right = on.certified(problem);
+  const auto quadric = make_quadric(on.domain, {}, {}, test_device());
+  const Task task{problem, *quadric, on.mass, test_device()};
+  const SafeSupport support(rays_of(on.domain), on.mass);
+  Outcome poor;
+  poor.moments = attainable(on, problem, random, 5).front();
+  ASSERT_GT(problem.value(poor.moments), right.best + 0.01);
+  Certificate c;
+  c.best = problem.value(poor.moments);
+  certify_spin(c, problem, task, support, poor, {}, [] { return 0.0; });
+  EXPECT_NEAR(c.best, right.best, 1e-12);
+  EXPECT_LE(c.best - c.bound, gap * c.best);
+  const Moments reached = on.mass.total(quadric->moments(c.best_x));
+  EXPECT_NEAR(problem.value(reached), right.best, 1e-12);
+}
+
+/// Boxes grow like the logarithm of the gap. [docs/quadric.md, s. 4]
+TEST(Certificate, TakesFewBoxesForASmallGap) {
+  const Case on = top();
+  for (const double lambda : {0.0, 1.0}) {
+    const Certificate rough = on.certified(Spin({lambda, 1}), {.gap = 1e-3});
+    const Certificate fine = on.certified(Spin({lambda, 1}), {.gap = 1e-7});
+    EXPECT_TRUE(fine.reached) << fine.message;
+    EXPECT_LE(fine.best - fine.bound, 1e-7 * fine.best);
+    // Four decades: some six halvings each of the boxes about the minimum, two or three wide.
+    EXPECT_LE(fine.boxes.size(), rough.boxes.size() + 80);
+    RecordProperty("boxes", static_cast<int>(fine.boxes.size()));
+  }
+}
+
+/// Bounds do not depend on where their multipliers come from.
+TEST(Certificate, OfABoxHoldsWhateverTheMultipliers) {
+  Random random(12);
+  const Case on = top();
+  const SafeSupport support(rays_of(on.domain), on.mass);
+  const Spin problem({0.5, 1.5});
+  const std::vector<Moments> all = attainable(on, problem, random, 60);
+  const auto quadric = make_quadric(on.domain, {}, {}, test_device());
+  TotalSupport oracle(*quadric->oracle(), on.mass, 0);
+  MomentPoint near;
+  near.s = all.front();
+  int inside = 0;
+  double closest = 1;
+  for (int i = 0; i < 200; ++i) {
+    const double c = centre_of_mass(all[static_cast<std::size_t>(i) % all.size()])[2];
+    const double low = c - uniform(random, 0, 0.05), high = c + uniform(random, 0, 0.05);
+    BoxMultipliers m = minimise_box(oracle, low, high, near).multipliers;
+    const double noise = i % 4 == 0 ? 0 : std::pow(10.0, -(i % 4));
+    for (double& u : m.u) u += uniform(random, -noise, noise);
+    for (double& mu : m.mu) mu += uniform(random, -noise, noise);
+    m.nu_low += uniform(random, -noise, noise);  // of any sign
+    const CertifiedBox box = certify_box(support, problem.options(), low, high, m);
+    EXPECT_FALSE(box.empty);
+    for (const Moments& s : all) {
+      const double height = centre_of_mass(s)[2];
+      if (height < low || height > high) continue;
+      ++inside;
+      EXPECT_LE(box.value, problem.value(s));
+      closest = std::min(closest, problem.value(s) - box.value);
+    }
+  }
+  EXPECT_GE(inside, 200);
+  EXPECT_LT(closest, 0.3) << "bounds that far off say nothing";
+}
+
+TEST(Certificate, CoversEveryHeight) {
+  const Certificate c = top().certified(Spin({1, 1}));
+  ASSERT_GE(c.boxes.size(), 3u);
+  EXPECT_TRUE(std::isinf(c.boxes.front().low) && std::isinf(c.boxes.back().high));
+  EXPECT_TRUE(c.boxes.front().empty && c.boxes.back().empty);
+  for (std::size_t i = 1; i < c.boxes.size(); ++i) EXPECT_EQ(c.boxes[i].low, c.boxes[i - 1].high);
+}
+
+TEST(Certificate, StopsAtItsLimitsAndSaysSo) {
+  const Case on = top();
+  const Certificate cut = on.certified(Spin({1, 1}), {.gap = 1e-9, .most_boxes = 20});
+  EXPECT_FALSE(cut.reached);
+  EXPECT_NE(cut.message.find("20 boxes"), std::string::npos) << cut.message;
+  EXPECT_LT(cut.bound, cut.best);
+  const Certificate late = on.certified(Spin({1, 1}), {.gap = 1e-9, .seconds = 0});
+  EXPECT_NE(late.message.find("0 seconds"), std::string::npos) << late.message;
+  EXPECT_TRUE(std::isfinite(late.bound));
+}
+
+TEST(Certificate, OfRandomBodiesIsWithinItsGapOrSeparates) {
+  Random random(2024);
+  int feasible = 0, infeasible = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Case on = random_case(random);
+    const Spin problem({i % 2 ? 0.0 : uniform(random, 0, 1), uniform(random, 0.5, 2)});
+    const Certificate c = on.certified(problem, {.gap = gap});
+    if (c.kind == Certificate::Kind::infeasible) {
+      EXPECT_GT(c.separation, 0) << i;
+      ++infeasible;
+      continue;
+    }
+    EXPECT_TRUE(c.reached) << i << ": " << c.message << ", " << c.bound << " .. " << c.best;
+    EXPECT_LE(c.bound, c.best) << i;
+    for (const Moments& s : attainable(on, problem, random, 5)) EXPECT_LE(c.bound, problem.value(s)) << i;
+    ++feasible;
+  }
+  EXPECT_GE(feasible, 10);
+  EXPECT_GE(infeasible, 3);
+}
+
+TEST(MomentSolver, ReachesTheCertifiedOptimumFromRandomStarts) {
+  for (const char* model : {"ellipsoid", "bird", "heart", "teapot"}) {
+    BodySpec spec;
+    spec.model = model;
+    const Case on(make_body(spec, test_device()), 24);
+    for (const double lambda : {0.0, 1.0}) {
+      const Spin problem({lambda, 1});
+      const Certificate c = on.certified(problem, {.gap = gap});
+      if (c.kind == Certificate::Kind::infeasible) continue;
+      EXPECT_TRUE(c.reached) << model << ": " << c.message;
+      const auto quadric = make_quadric(on.domain, {}, {}, test_device());
+      for (int seed = 1; seed <= 5; ++seed) {
+        SolverOptions options;
+        options.own["seed"] = std::to_string(seed);
+        const Outcome outcome =
+            solve(find_solver("moment", "quadric"), {problem, *quadric, on.mass, test_device()}, options);
+        EXPECT_EQ(to_string(outcome.termination), "optimal")
+            << model << ' ' << seed << ' ' << outcome.message;
+        EXPECT_LE(outcome.objective, c.bound + 2 * gap * std::abs(c.best)) << model << ' ' << seed;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kreisel
