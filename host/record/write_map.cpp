@@ -55,6 +55,12 @@ const char* units_of(const std::string& name) {
                                       : "1";
 }
 
+void write_values(Group group, const OrientationMap& map) {
+  for (const std::string& name : value_names(map))
+    group.write(name, column(map, [&](const MapAnswer& a) { return value_of(a, name); }),
+                {map.axes.size(), map.cases.size()}, {units_of(name), map.cases});
+}
+
 void write_domain(Group group, const OrientationMap& map) {
   group.set("kind", "columns");
   group.set("wall", map.wall);
@@ -116,10 +122,7 @@ void write_map(const std::filesystem::path& path, const OrientationMap& map) {
              {"1", map.cases});
   file.write("miss", column(map, [](const MapAnswer& a) { return a.miss; }), shape,
              {"body units", map.cases});
-  Group values = file.new_group("values");  // apart: a problem chooses these names
-  for (const std::string& name : value_names(map))
-    values.write(name, column(map, [&](const MapAnswer& a) { return value_of(a, name); }), shape,
-                 {units_of(name), map.cases});
+  write_values(file.new_group("values"), map);  // apart: a problem chooses these names
   write_config(file.new_group("config"), map.config);
   write_provenance(file.new_group("provenance"), map.provenance);
   write_domain(file.new_group("domain"), map);

@@ -12,7 +12,7 @@
 
 #include "error.hpp"
 #include "problem/turned.hpp"
-#include "solve/explain.hpp"
+#include "solve/distance_to_rows.hpp"
 #include "solve/interrupt.hpp"
 
 namespace kreisel {
@@ -59,13 +59,16 @@ struct Sweep {
         result.verdict = problem.verify(outcome.moments, length_mm);
         return result;
       case Termination::infeasible:
-        result.status = MapAnswer::infeasible;
-        result.miss = least_miss(solver, task, options);
-        break;
       case Termination::failed:
-        result.miss = least_miss(solver, task, options);
+        break;
     }
-    if (interrupted()) return std::nullopt;  // its last solve stopped early
+    const RowDistance distance = distance_to_rows(*formulation.oracle(), mass, problem.constraints());
+    // Below this nobody could tell; a solver that gave up may have had only its own difficulties.
+    constexpr double least = 1e-6;
+    if (outcome.termination == Termination::infeasible || distance.proved > least)
+      result.status = MapAnswer::infeasible;
+    result.miss = distance.attained;
+    if (interrupted()) return std::nullopt;  // it stopped early
     return result;
   }
 };
@@ -170,7 +173,10 @@ OrientationMap map_orientations(const MapSpec& spec, const Progress& progress) {
   map.asked = spec.axes.size();
   const SolverEntry& solver = find_solver(map.config.solver, map.config.formulation);
   SolverOptions options = parse_solver_options(settings_of(map.config, "solver"));
-  options.own = settings_of(map.config, map.config.solver);
+  // A hundred-thousandth of what a verdict asks for. The last digits would cost most of the time, near
+  // directions across the rays above all, where a plane turns whole rays on and off.
+  options.own = {{"tolerance", "1e-8"}};
+  for (const auto& [name, value] : settings_of(map.config, map.config.solver)) options.own[name] = value;
   device::Device device(map.config.device, map.config.single_precision ? device::Precision::single
                                                                        : device::Precision::automatic);
   tell("set-up");

@@ -29,8 +29,9 @@ struct MapSpec {
 struct MapAnswer {
   enum Status { undecided, feasible, infeasible } status = undecided;
   double objective = 0;  ///< f at the optimum; NaN when not feasible
-  double miss = 0;       ///< of infeasible ones, the least by which some constraint is missed, body units
-  Verdict verdict;       ///< of the optimum's own moments, when feasible; not of a written mesh
+  double miss =
+      0;  ///< distance of what can be attained from what is asked (distance_to_rows.hpp); 0 if feasible
+  Verdict verdict;  ///< of the optimum's own moments, when feasible; not of a written mesh
 };
 
 /// The map. Answers of axis a and case c stand at a * cases.size() + c.

@@ -47,21 +47,12 @@ std::vector<double> least_misses(const SolverEntry& solver, const Task& task, co
   return misses;
 }
 
-std::vector<Eigen::Index> all_rows(const Problem& problem) {
-  std::vector<Eigen::Index> all(static_cast<std::size_t>(problem.constraints().matrix.rows()));
-  for (std::size_t r = 0; r < all.size(); ++r) all[r] = static_cast<Eigen::Index>(r);
-  return all;
-}
-
 }  // namespace
-
-double least_miss(const SolverEntry& solver, const Task& task, const SolverOptions& options) {
-  return std::ranges::max(least_misses(solver, task, options, all_rows(task.problem)));
-}
 
 std::string explain_infeasible(const SolverEntry& solver, const Task& task, const SolverOptions& options) {
   const LinearConstraints& c = task.problem.constraints();
-  const std::vector<Eigen::Index> all = all_rows(task.problem);
+  std::vector<Eigen::Index> all(static_cast<std::size_t>(c.matrix.rows()));
+  for (std::size_t r = 0; r < all.size(); ++r) all[r] = static_cast<Eigen::Index>(r);
   const std::vector<double> together = least_misses(solver, task, options, all);
   const double worst = std::ranges::max(together);
   // Solvers meet constraints to 1e-9; a miss of a millionth is none that anybody could measure.

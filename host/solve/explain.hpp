@@ -14,8 +14,4 @@ namespace kreisel {
 [[nodiscard]] std::string explain_infeasible(const SolverEntry& solver, const Task& task,
                                              const SolverOptions& options);
 
-/// The least amount by which some constraint is missed, body units; 0 when all can be met. What that solve
-/// says of a task that `solver` found infeasible.
-[[nodiscard]] double least_miss(const SolverEntry& solver, const Task& task, const SolverOptions& options);
-
 }  // namespace kreisel

@@ -59,18 +59,18 @@ TEST_F(Map, AlongTheDomainsOwnAxisIsThePlainRun) {
     config.solver = "moment";
     config.problem = problem;
     const bool floats = config.problem == "float";
-    if (floats) config.settings["problem.draft"] = "40%";
+    if (floats) config.settings["problem.draft"] = "60%";
     const RunResult plain = run(config).result;
     const OrientationMap map = map_orientations(
-        {config, {plain.axis}, floats ? std::vector<std::string>{"40%"} : std::vector<std::string>{}});
+        {config, {plain.axis}, floats ? std::vector<std::string>{"60%"} : std::vector<std::string>{}});
     ASSERT_EQ(map.axes.size(), 1u);
     ASSERT_LE((map.contacts[0] - plain.contact).norm(), 1e-9);
     ASSERT_EQ(plain.outcome.termination, Termination::optimal) << problem;
     const MapAnswer& answer = map.at(0, 0);
     EXPECT_EQ(answer.status, MapAnswer::feasible);
     EXPECT_EQ(answer.miss, 0);
-    // Both end at a residual of 1e-10 at most, the stationary value's error is of its square.
-    EXPECT_NEAR(answer.objective, plain.outcome.objective, 1e-9) << problem;
+    // A map ends at a residual of 1e-8; multipliers, of order one, say what that is worth.
+    EXPECT_NEAR(answer.objective, plain.outcome.objective, 1e-7) << problem;
     EXPECT_EQ(map.count_ok(0), answer.verdict.ok ? 1u : 0u);
     EXPECT_EQ(map.grid.n, plain.grid.n);
     EXPECT_EQ(map.rays, plain.rays);
@@ -95,7 +95,7 @@ TEST_F(Map, OfACubeIsThatOfACube) {
   }
   // Upside down the same numbers are summed with other signs.
   for (const std::size_t a : {0u, 2u, 4u})
-    EXPECT_NEAR(map.at(a, 0).objective, map.at(a + 1, 0).objective, 1e-8) << a;
+    EXPECT_NEAR(map.at(a, 0).objective, map.at(a + 1, 0).objective, 1e-7) << a;
 }
 
 TEST_F(Map, AgreesWithRunsWhoseGridIsTurned) {
@@ -143,27 +143,54 @@ TEST_F(Map, SaysWhereNoInteriorWillDoAndByHowMuch) {
 }
 
 TEST_F(Map, OfABargeFloatsOnEverySideAsTheBookSays) {
-  // 40 x 20 x 12 mm in water. On a side of height H at draft d, b the lesser side of the waterplane:
-  // KM = d/2 + b^2 / (12 d). The centre of mass lies lowest when the mass is laid from below.
-  RunConfig config = box({40, 20, 12});
+  // 40 x 20 x 12 mm of 0.8 g/cm^3 in water. On a side of height H at draft d, b the lesser side of the
+  // waterplane: KM = d/2 + b^2 / (12 d). The waterplane is across the rays on two sides, which the map lays
+  // otherwise for the others: a plane along the rays turns whole ones on and off.
+  struct Side {
+    Vec3 up;
+    double height, least_width;
+  };
+  const Side sides[] = {{Vec3::UnitZ(), 12, 20}, {Vec3::UnitY(), 20, 12}, {Vec3::UnitX(), 40, 12}};
+  const double share[] = {0.65, 0.8};
+  for (const Side& side : sides) {
+    RunConfig config = box({40, 20, 12});
+    config.problem = "float";
+    config.body.density = 0.8;
+    config.body.up = side.up;
+    const OrientationMap map = map_orientations({config, {side.up, -side.up}, {"65%", "80%"}});
+    EXPECT_EQ(map.cases, (std::vector<std::string>{"65%", "80%"}));
+    for (std::size_t a = 0; a < 2; ++a)
+      for (std::size_t c = 0; c < 2; ++c) {
+        const MapAnswer& answer = map.at(a, c);
+        ASSERT_EQ(answer.status, MapAnswer::feasible) << side.height << ' ' << a << ' ' << c;
+        const double d = share[c] * side.height, b = side.least_width;
+        // The file holds floats.
+        EXPECT_NEAR(answer.verdict.values.at("draft_mm"), d, 1e-4);
+        EXPECT_NEAR(answer.verdict.values.at("metacentric_height_mm") +
+                        answer.verdict.values.at("centre_of_mass_z_mm"),
+                    d / 2 + b * b / (12 * d), 1e-4);
+        EXPECT_NEAR(map.at(0, c).objective, map.at(1, c).objective, 1e-6) << "either way up";
+      }
+  }
+}
+
+TEST_F(Map, OfAFloatingBodyAgreesWithRunsWhoseGridIsTurned) {
+  RunConfig config = box({40, 24, 16});
   config.problem = "float";
   config.body.density = 0.8;
-  const OrientationMap map = map_orientations(
-      {config, {Vec3::UnitZ(), -Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX()}, {"50%", "70%"}});
-  const double heights[] = {12, 12, 20, 40}, widths[] = {20, 20, 12, 12}, share[] = {0.5, 0.7};
-  for (std::size_t a = 0; a < 4; ++a)
-    for (std::size_t c = 0; c < 2; ++c) {
-      const MapAnswer& answer = map.at(a, c);
-      ASSERT_EQ(answer.status, MapAnswer::feasible) << a << ' ' << c;
-      const double d = share[c] * heights[a], b = widths[a];
-      EXPECT_NEAR(answer.verdict.values.at("draft_mm"), d, 1e-4);
-      EXPECT_NEAR(
-          answer.verdict.values.at("metacentric_height_mm") + answer.verdict.values.at("centre_of_mass_z_mm"),
-          d / 2 + b * b / (12 * d), 1e-4);
-    }
-  // Both flat sides are alike.
-  EXPECT_NEAR(map.at(0, 0).objective, map.at(1, 0).objective, 1e-8);
-  EXPECT_EQ(map.cases, (std::vector<std::string>{"50%", "70%"}));
+  const OrientationMap map =
+      map_orientations({config, {{0.3, 0.1, 1}, {0.2, 1, -0.4}, {-1, 0.2, 0.3}}, {"80%"}});
+  for (std::size_t a = 0; a < 3; ++a) {
+    RunConfig turned = config;
+    turned.body.up = map.axes[a];
+    turned.body.contact = map.contacts[a];
+    turned.settings["problem.draft"] = "80%";
+    const RunResult plain = run(turned).result;
+    ASSERT_EQ(plain.outcome.termination, Termination::optimal) << a;
+    ASSERT_EQ(map.at(a, 0).status, MapAnswer::feasible) << a;
+    // Grids differ in the cells they take in, see above.
+    EXPECT_NEAR(map.at(a, 0).objective, plain.outcome.objective, 0.02 * plain.outcome.objective) << a;
+  }
 }
 
 TEST_F(Map, RefusesWhatItCannotMap) {
