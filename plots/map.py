@@ -6,6 +6,7 @@ import pathlib
 
 import h5py
 import numpy as np
+from matplotlib.colors import LinearSegmentedColormap, to_rgba
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
@@ -14,7 +15,8 @@ import style
 from style import plt
 
 SCHEMA, NEWEST = "kreisel map", 1
-INFEASIBLE, UNDECIDED = "#d1d5db", "#ffffff"
+# Infeasible axes, from hardly missed to far off.
+NEAR, FAR, UNDECIDED = "#f3f4f6", "#9ca3af", "#ffffff"
 # What is drawn of each problem: dataset, its label, the words for a good verdict, colours, is more better?
 DRAWN = {
     "spin": ("objective", "objective f (less is better)", "spins", "viridis_r", False),
@@ -31,7 +33,7 @@ def read(path):
                 raise records.BadRecord(f"{path}: not a map, expected schema = {SCHEMA}, version 1 to {NEWEST}")
             found = {name: value.item() if hasattr(value, "item") else value for name, value in file.attrs.items()}
             found["cases"] = found["cases"].split("\n")
-            for name in ("axes", "feasible", "ok"):
+            for name in ("axes", "feasible", "ok", "miss"):
                 found[name] = file[name][...]
             drawn = DRAWN[found["problem"]][0]
             found["shown"] = file[drawn][...] if drawn in file else np.full(found["ok"].shape, np.nan)
@@ -77,21 +79,28 @@ def nearest(axes, width=720):
     return index
 
 
+def greys(found):
+    """Colour of each infeasible axis by its miss, [n, cases, 4]."""
+    missed = found["miss"][found["feasible"] == 0]
+    scale = plt.Normalize(0, np.percentile(missed, 95) if len(missed) else 1, clip=True)
+    return LinearSegmentedColormap.from_list("miss", [NEAR, FAR])(scale(np.nan_to_num(found["miss"])))
+
+
 def draw(axes, found, at_case, index, colours, norm):
     """One case: colours where feasible, dots where the verdict is bad all the same, grey hatching elsewhere."""
     feasible, ok, shown = (found[name][:, at_case] for name in ("feasible", "ok", "shown"))
     extent = (-2, 2, -1, 1)
     rgba = colours(norm(np.where(feasible == 1, shown, 0)))
     rgba[feasible == 1, 3] = np.where(ok[feasible == 1], 1, 0.35)
-    rgba[feasible == 0] = (*plt.matplotlib.colors.to_rgb(INFEASIBLE), 1)
-    rgba[feasible == -1] = (*plt.matplotlib.colors.to_rgb(UNDECIDED), 1)
+    rgba[feasible == 0] = greys(found)[feasible == 0, at_case]
+    rgba[feasible == -1] = to_rgba(UNDECIDED)
     image = np.where((index >= 0)[..., None], rgba[index], [1, 1, 1, 0])
     axes.imshow(image, extent=extent, origin="lower", interpolation="nearest", aspect="equal")
     x = np.linspace(-2, 2, index.shape[1] + 1)[:-1] + 2 / index.shape[1]
     y = np.linspace(-1, 1, index.shape[0] + 1)[:-1] + 1 / index.shape[0]
     out = np.where(index >= 0, feasible[index] == 0, False)
     if out.any():
-        with plt.rc_context({"hatch.color": "#9ca3af", "hatch.linewidth": 0.5}):
+        with plt.rc_context({"hatch.color": "#d1d5db", "hatch.linewidth": 0.5}):
             axes.contourf(x, y, out.astype(float), levels=[0.5, 1.5], colors="none", hatches=["////"])
     turn = np.linspace(0, 2 * np.pi, 200)
     axes.plot(2 * np.cos(turn), np.sin(turn), color=style.QUIET, linewidth=0.8)
@@ -133,18 +142,21 @@ def figure(found):
     for at_case, panel in zip(range(cases), panels.flat):
         draw(panel, found, at_case, index, colours, norm)
     result.suptitle(f"{found['model']}: where it can {found['problem']}", x=0.01, ha="left", fontweight="bold")
-    lower = style.caption(result, f"Direction of the {'spin' if found['problem'] == 'spin' else 'up'} axis in the "
+    through = "" if found["problem"] != "spin" else (
+        " through the solid's centre of mass" if found["through"] == "centre" else " through the lowest point")
+    lower = style.caption(result, f"Direction of the {'spin' if found['problem'] == 'spin' else 'up'} axis{through} in the "
                           f"model's coordinates, Mollweide's equal-area projection; grid {found['config']['resolution']}, "
                           f"wall {found['config']['wall']}; {found['sweep_seconds']:.1f} s. "
                           + records.provenance_line([found]))
     if len(values):
-        bar = result.colorbar(plt.cm.ScalarMappable(norm, colours), ax=panels, shrink=0.7, pad=0.02,
+        bar = result.colorbar(plt.cm.ScalarMappable(norm, colours), cax=result.add_axes((0.885, 0.3, 0.015, 0.45)),
                               extend="min" if more else "max")
         bar.set_label(label)
         bar.outline.set_visible(False)
     handles = [Patch(facecolor=colours(0.6), label=f"feasible, {words}"),
                Patch(facecolor=colours(0.6), alpha=0.35, label=f"feasible, yet not one that {words}"),
-               Patch(facecolor=INFEASIBLE, edgecolor="#9ca3af", hatch="////", linewidth=0, label="infeasible")]
+               Patch(facecolor=FAR, edgecolor="#d1d5db", hatch="////", linewidth=0,
+                     label="infeasible (darker: missed by more)")]
     if (found["feasible"] == -1).any():
         handles.append(Patch(facecolor=UNDECIDED, edgecolor=style.QUIET, linewidth=0.5, label="undecided"))
     if found["best_axis"] >= 0:

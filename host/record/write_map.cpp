@@ -98,6 +98,7 @@ void write_map(const std::filesystem::path& path, const OrientationMap& map) {
   file.set("model", map.body_name);
   file.set("problem", map.config.problem);
   file.set("cases", fmt::format("{}", fmt::join(map.cases, "\n")));
+  file.set("through", map.through == Through::centre ? "centre" : "lowest");
   file.set("axes_asked", map.asked);
   file.set("complete", map.axes.size() == map.asked);
   file.set("setup_seconds", map.setup_seconds);
@@ -158,6 +159,7 @@ json to_json(const OrientationMap& map) {
                     {"grid", map.grid.n},
                     {"rays", map.rays},
                     {"interior_voxels", map.interior_voxels},
+                    {"through", map.through == Through::centre ? "centre" : "lowest"},
                     {"axes_asked", map.asked},
                     {"termination", map.axes.size() == map.asked ? "complete" : "interrupted"},
                     {"seconds", {{"setup", map.setup_seconds}, {"sweep", map.sweep_seconds}}},

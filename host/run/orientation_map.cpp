@@ -73,6 +73,13 @@ struct Sweep {
   }
 };
 
+Vec3 contact_of(const Body& body, const Vec3& axis, Through through) {
+  const Vec3 lowest = lowest_point(body.mesh, axis);
+  if (through == Through::lowest) return lowest;
+  const Vec3 centre = body.frame.to_model(centre_of_mass(body.solid)), up = axis.normalized();
+  return centre - up.dot(centre - lowest) * up;
+}
+
 std::vector<std::string> cases_of(const MapSpec& spec) {
   if (spec.config.problem == "float") {
     if (spec.drafts.empty())
@@ -170,6 +177,7 @@ OrientationMap map_orientations(const MapSpec& spec, const Progress& progress) {
   map.config.formulation = "quadric";
   map.config.solver = "moment";
   map.cases = cases_of(spec);
+  map.through = spec.through;
   map.asked = spec.axes.size();
   const SolverEntry& solver = find_solver(map.config.solver, map.config.formulation);
   SolverOptions options = parse_solver_options(settings_of(map.config, "solver"));
@@ -217,7 +225,7 @@ OrientationMap map_orientations(const MapSpec& spec, const Progress& progress) {
       told = Clock::now();
     }
     const std::size_t i = k * step % n;
-    contacts[i] = lowest_point(body.mesh, spec.axes[i]);
+    contacts[i] = contact_of(body, spec.axes[i], spec.through);
     reframe(turned, body, spec.axes[i], contacts[i]);
     const Eigen::Matrix3d R = turned.frame.rotation * body.frame.rotation.transpose();
     const Vec3 t = turned.frame.to_body(body.frame.origin);

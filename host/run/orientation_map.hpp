@@ -13,12 +13,17 @@
 
 namespace kreisel {
 
-/// What is asked. Formulation and solver are always `quadric` and `moment`; contact points are always the
-/// lowest ones along each axis.
+/// Where an axis runs through the body: through its lowest point along the axis, on which it then spins; or
+/// through the solid's centre of mass, on a peg as long as it takes to touch the ground at the lowest point's
+/// height.
+enum class Through { lowest, centre };
+
+/// What is asked. Formulation and solver are always `quadric` and `moment`.
 struct MapSpec {
   RunConfig config;        ///< body (its axis and up lay the rays of the one domain), problem, grid, wall
   std::vector<Vec3> axes;  ///< model coordinates, any length but zero; z of the problem's frame
   std::vector<std::string> drafts;  ///< of `float`: a case each, as `problem.draft` takes them
+  Through through = Through::lowest;
 };
 
 /// n directions, one for about each 4 pi / n of the sphere: equal steps along z, golden angles around it.
@@ -37,6 +42,7 @@ struct MapAnswer {
 /// The map. Answers of axis a and case c stand at a * cases.size() + c.
 struct OrientationMap {
   RunConfig config;  ///< with quadric and moment
+  Through through = Through::lowest;
   Provenance provenance;
   std::string body_name;
   double length_mm = 1, mass_unit_grams = 1;

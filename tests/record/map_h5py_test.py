@@ -12,6 +12,7 @@ SPIN = {"off_axis", "off_axis_mm", "tilt_degrees", "largest_over_lateral", "omeg
 with h5py.File(sys.argv[1], "r") as file:
     at = file.attrs
     assert at["schema"] == "kreisel map" and at["schema_version"] == 1
+    assert at["through"] in ("lowest", "centre")
     axes, feasible, ok = file["axes"][...], file["feasible"][...], file["ok"][...]
     cases = at["cases"].split("\n")
     n, shape = len(axes), (len(axes), len(cases))

@@ -142,6 +142,20 @@ TEST_F(Map, SaysWhereNoInteriorWillDoAndByHowMuch) {
   EXPECT_EQ(map.best()->axis, 0u);
 }
 
+TEST_F(Map, ThroughTheCentreOfMassRunsOnAPegThatReachesTheGround) {
+  MapSpec spec{box({40, 30, 24}), {Vec3::UnitZ(), Vec3(0.06, 0.06, 1), Vec3(1, 2, 3)}, {}};
+  spec.through = Through::centre;
+  const OrientationMap map = map_orientations(spec);
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Vec3& n = map.axes[a];
+    // The centre is the model's origin; the lowest corner has the signs of -n.
+    const double down = n.cwiseAbs().dot(Vec3(20, 15, 12));
+    EXPECT_LE((map.contacts[a] + down * n).norm(), 1e-4) << a;
+  }
+  EXPECT_EQ(map.at(0, 0).status, MapAnswer::feasible);
+  EXPECT_EQ(map.at(1, 0).status, MapAnswer::feasible) << "standing on the corner it is not";
+}
+
 TEST_F(Map, OfABargeFloatsOnEverySideAsTheBookSays) {
   // 40 x 20 x 12 mm of 0.8 g/cm^3 in water. On a side of height H at draft d, b the lesser side of the
   // waterplane: KM = d/2 + b^2 / (12 d). The waterplane is across the rays on two sides, which the map lays

@@ -112,6 +112,10 @@ void add_map_options(CLI::App& app, Parsed& parsed) {
       ->allow_extra_args(false)
       ->type_name("GROUP.NAME=VALUE");
   app.add_option("--axes", parsed.map.axes, "directions of the sphere")->capture_default_str();
+  app.add_option("--through", parsed.map.through,
+                 "axes run through the lowest point, or the solid's centre of mass")
+      ->check(CLI::IsMember({"lowest", "centre"}))
+      ->capture_default_str();
   app.add_option("--drafts", parsed.map.drafts, "float: of the height, mm or grams; default 20%,40%,60%,80%")
       ->delimiter(',')
       ->allow_extra_args(false);
