@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "body/mesh_moments.hpp"
@@ -10,23 +11,6 @@
 
 namespace kreisel {
 namespace {
-
-/// Mean of the vertices that are lowest along the axis: a flat base gives its middle, a tip gives itself.
-Vec3 lowest_point(const TriangleMesh& mesh, const Vec3& axis) {
-  double low = mesh.vertices.front().dot(axis), high = low;
-  for (const Vec3& v : mesh.vertices) {
-    low = std::min(low, v.dot(axis));
-    high = std::max(high, v.dot(axis));
-  }
-  Vec3 sum = Vec3::Zero();
-  int count = 0;
-  for (const Vec3& v : mesh.vertices)
-    if (v.dot(axis) <= low + 1e-9 * (high - low)) {
-      sum += v;
-      ++count;
-    }
-  return sum / count;
-}
 
 /// A contact point far beside the body is a typing error: nothing there can be spun or stood on.
 void require_near_axis(const Body& body) {
@@ -66,6 +50,22 @@ void require_valid(const BodySpec& spec) {
 
 }  // namespace
 
+Vec3 lowest_point(const TriangleMesh& mesh, const Vec3& axis) {
+  double low = mesh.vertices.front().dot(axis), high = low;
+  for (const Vec3& v : mesh.vertices) {
+    low = std::min(low, v.dot(axis));
+    high = std::max(high, v.dot(axis));
+  }
+  Vec3 sum = Vec3::Zero();
+  int count = 0;
+  for (const Vec3& v : mesh.vertices)
+    if (v.dot(axis) <= low + 1e-9 * (high - low)) {
+      sum += v;
+      ++count;
+    }
+  return sum / count;
+}
+
 Body make_body(const BodySpec& spec, device::Device& device) {
   require_valid(spec);  // ahead of the reading: a typing error costs no time
   return make_body(spec, load_solid(spec), device);
@@ -100,6 +100,16 @@ Body make_body(const BodySpec& spec, Source source, device::Device& device) {
   body.local = to_body(body.frame, body.mesh);
   body.solid = mesh_moments(body.local, device);
   return body;
+}
+
+void reframe(Body& body, const Body& made, const Vec3& axis, const Vec3& contact) {
+  body.axis = axis.normalized();
+  body.contact = contact;
+  body.frame = {axis_to_z(body.axis), contact, made.frame.length};
+  for (std::size_t i = 0; i < body.local.vertices.size(); ++i)
+    body.local.vertices[i] = body.frame.to_body(made.mesh.vertices[i]);
+  body.solid = transformed(made.solid, body.frame.rotation * made.frame.rotation.transpose(),
+                           body.frame.to_body(made.frame.origin));
 }
 
 MassModel hollowed(const Body& body, const Moments& interior) {

@@ -58,6 +58,14 @@ struct Body {
 ///                     as the material, a contact point whose axis misses the body
 [[nodiscard]] Body make_body(const BodySpec& spec, device::Device& device);
 
+/// Mean of the vertices that are lowest along the axis: a flat base gives its middle, a tip gives itself.
+/// The default contact point. @param axis  any length but zero, coordinates of the mesh
+[[nodiscard]] Vec3 lowest_point(const TriangleMesh& mesh, const Vec3& axis);
+
+/// Lays `body`, a copy of `made`, into another frame: z along `axis` (any length but zero), origin at
+/// `contact`, both in model coordinates. As often as wanted: round-off does not add up.
+void reframe(Body& body, const Body& made, const Vec3& axis, const Vec3& contact);
+
 /// Total moments from the designed part alone: s = fixed + contrast * s_domain, in body units.
 /// The one place where shell, fill and void come together.
 struct MassModel {

@@ -41,6 +41,12 @@ Moments transformed(const Moments& s, const Matrix3d& R, const Vector3d& t) {
   return assemble(s[S1], turned + s[S1] * t, q);
 }
 
+Matrix10 moment_map(const Matrix3d& R, const Vector3d& t) {
+  Matrix10 map;
+  for (int k = 0; k < 10; ++k) map.col(k) = transformed(Moments::Unit(k), R, t);
+  return map;
+}
+
 Moments scaled(const Moments& s, double length, double density) {
   const double l3 = density * length * length * length;
   Moments r = s * l3;

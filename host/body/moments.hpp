@@ -36,6 +36,9 @@ inline constexpr std::array<std::string_view, 10> moment_names = {"s1",  "sx",  
 /// Moments of the same solid after x -> R x + t (R any 3x3 matrix of determinant +-1).
 [[nodiscard]] Moments transformed(const Moments& s, const Eigen::Matrix3d& R, const Eigen::Vector3d& t);
 
+/// The same as a matrix: transformed(s, R, t) = moment_map(R, t) * s.
+[[nodiscard]] Matrix10 moment_map(const Eigen::Matrix3d& R, const Eigen::Vector3d& t);
+
 /// Moments of the same solid after x -> length * x with its density times `density`.
 [[nodiscard]] Moments scaled(const Moments& s, double length, double density);
 

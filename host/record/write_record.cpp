@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "record/common_groups.hpp"
 #include "record/hdf5_file.hpp"
 #include "record/record.hpp"
 #include "record/write_certificate.hpp"
@@ -30,31 +31,6 @@ void write_seconds(Group& group, const std::string& name, const std::vector<Seco
   std::vector<double> values;
   for (const Seconds& s : rows) values.insert(values.end(), {s.setup, s.kernels, s.solve, s.total});
   group.write(name, values, {rows.size(), 4}, {"s", {"setup", "kernels", "solve", "total"}});
-}
-
-void write_config(Group group, const RunConfig& config) {
-  for (const auto& [key, value] : describe(config)) group.set(key, value);
-}
-
-void write_provenance(Group group, const Provenance& p) {
-  group.set("version", p.version);
-  group.set("commit", p.commit);
-  group.set("compiler", p.compiler);
-  group.set("build_type", p.build_type);
-  group.set("host", p.host);
-  group.set("processor", p.processor);
-  group.set("system", p.system);
-  group.set("threads", p.threads);
-  group.set("device", p.device);
-  group.set("platform", p.platform);
-  group.set("driver", p.driver);
-  group.set("device_version", p.device_version);
-  group.set("device_fp64", p.device_fp64);
-  group.set("single_precision", p.single_precision);
-  group.set("ipopt_version", p.ipopt_version);
-  group.set("linear_solver", p.linear_solver);
-  group.set("blas", p.blas);
-  group.set("started", p.started);
 }
 
 void write_root(Group& root, const RunConfig& config, const std::string& model) {

@@ -35,6 +35,17 @@ struct InspectOptions {
 /// Everything about a mesh: checks, repairs, shells; as a solid its mass properties and what it does already.
 /// @throws InputError  after all that can be said was printed: why the mesh is no solid
 int inspect_model(const InspectOptions& options);
+
+struct MapOptions {
+  RunConfig config;
+  std::string through = "lowest";  ///< or "centre": where each axis runs
+  int axes = 2000;
+  std::vector<std::string> drafts;     ///< of `float`; empty: 20, 40, 60 and 80 %
+  std::string json_file, record_file;  ///< empty: not written; json "-" is standard output
+};
+/// Where a body can spin, or float: every orientation over one domain.
+int map_model(const MapOptions& options);
+
 struct ReportOptions {
   std::vector<std::string> experiments;  ///< as ExperimentOptions::name; empty: all that have records
   std::string results = "results/runs", output = "report.html";

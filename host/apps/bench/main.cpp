@@ -61,6 +61,7 @@ struct Parsed {
   OnceOptions once;
   ExperimentOptions experiment;
   ReportOptions report;
+  MapOptions map;
   std::vector<std::pair<std::string, std::string>> given;  ///< field, text
   std::vector<std::string> settings, paths;
   std::string only_device;
@@ -104,6 +105,33 @@ void add_inspect_options(CLI::App& app, Parsed& parsed) {
   }
   app.get_option("--model")->required();
   app.add_option("--json", parsed.once.json_file, "write it all as JSON; - for standard output");
+}
+
+void add_map_options(CLI::App& app, Parsed& parsed) {
+  constexpr std::string_view used[] = {"model",        "resolution", "wall",   "size",     "density",
+                                       "void-density", "fineness",   "device", "precision"};
+  for (const auto& [name, help] : fields)
+    if (std::ranges::find(used, std::string_view(name)) != std::end(used))
+      add_field(app, parsed, name == std::string_view("model") ? "model,--model" : fmt::format("--{}", name),
+                name, help);
+  app.get_option("--model")->required();
+  add_field(app, parsed, "--problem", "problem", "spin (default) or float");
+  add_field(app, parsed, "--up", "up",
+            "along which the rays of the one domain run; default the model's axis");
+  add_field(app, parsed, "--fluid-density", "problem.fluid_density", "float: g/cm^3; default 1");
+  app.add_option("--set", parsed.settings, "GROUP.NAME=VALUE; groups: problem, solver")
+      ->allow_extra_args(false)
+      ->type_name("GROUP.NAME=VALUE");
+  app.add_option("--axes", parsed.map.axes, "directions of the sphere")->capture_default_str();
+  app.add_option("--through", parsed.map.through,
+                 "axes run through the lowest point, or the solid's centre of mass")
+      ->check(CLI::IsMember({"lowest", "centre"}))
+      ->capture_default_str();
+  app.add_option("--drafts", parsed.map.drafts, "float: of the height, mm or grams; default 20%,40%,60%,80%")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--json", parsed.map.json_file, "write it all as JSON; - for standard output");
+  app.add_option("--record", parsed.map.record_file, "write the map as HDF5");
 }
 
 void apply(Parsed& parsed) {
@@ -156,6 +184,9 @@ int dispatch(int argc, char** argv) {
   CLI::App* inspected = app.add_subcommand(
       "inspect", "check a mesh: faults, repairs, shells, mass properties, and what it does as a solid");
   add_inspect_options(*inspected, parsed);
+  CLI::App* mapped = app.add_subcommand(
+      "map", "every orientation over one domain: about which axes can a body spin, or float");
+  add_map_options(*mapped, parsed);
   CLI::App* reported =
       app.add_subcommand("report", "tables and figures of experiments that have been run, as one HTML page");
   reported->add_option("experiments", parsed.report.experiments, "default: all that have records");
@@ -179,6 +210,11 @@ int dispatch(int argc, char** argv) {
   if (*inspected) {
     apply(parsed);
     return inspect_model({parsed.once.config, parsed.once.json_file});
+  }
+  if (*mapped) {
+    apply(parsed);
+    parsed.map.config = parsed.once.config;
+    return map_model(parsed.map);
   }
   if (*reported) return report(parsed.report);
   if (*shown) return show(parsed.paths);

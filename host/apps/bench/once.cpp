@@ -1,11 +1,11 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "apps/bench/commands.hpp"
 #include "apps/bench/outputs.hpp"
+#include "apps/bench/step_line.hpp"
 #include "mesh/format.hpp"
 #include "record/record.hpp"
 #include "run/pipeline.hpp"
@@ -80,23 +80,6 @@ int exit_code(Termination termination) {
   }
   return not_converged;
 }
-
-/// The step under way, on a terminal; the line is taken back in the end, also ahead of an error.
-class StepLine {
- public:
-  StepLine() = default;
-  StepLine(const StepLine&) = delete;
-  StepLine& operator=(const StepLine&) = delete;
-  ~StepLine() {
-    if (terminal_) fmt::print(stderr, "\r\033[K");
-  }
-  void show(const std::string& step) const {
-    if (terminal_) fmt::print(stderr, "\r\033[K{} ...", step);
-  }
-
- private:
-  bool terminal_ = isatty(STDERR_FILENO) != 0;
-};
 
 RunOutput run_showing_steps(const OnceOptions& options) {
   const StepLine line;

@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/bench/commands.hpp"
+#include "apps/bench/outputs.hpp"
+#include "apps/bench/step_line.hpp"
+#include "record/map_record.hpp"
+#include "record/record.hpp"
+#include "run/orientation_map.hpp"
+#include "solve/interrupt.hpp"
+
+namespace kreisel::bench {
+namespace {
+
+std::string share(std::size_t part, std::size_t whole) {
+  return fmt::format("{} ({:.1f} %)", part,
+                     whole ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0);
+}
+
+void print_map(const OrientationMap& map) {
+  const std::size_t n = map.axes.size();
+  const bool spins = map.config.problem == "spin";
+  fmt::print("{}: map of {} on {}{}\n", map.body_name, map.config.problem, map.provenance.device,
+             map.provenance.single_precision ? " (single precision, compensated)" : "");
+  fmt::print("  domain     columns {} x {} x {} of {:.4g} mm, wall {} = {:.4g} mm: {} rays, {} voxels\n",
+             map.grid.n[0], map.grid.n[1], map.grid.n[2], map.grid.h * map.length_mm,
+             to_string(map.config.wall), map.wall * map.length_mm, map.rays, map.interior_voxels);
+  fmt::print("  axes       {} through the {}{}\n", n,
+             map.through == Through::centre ? "solid's centre of mass, on a peg" : "lowest point",
+             n < map.asked ? fmt::format(" of {}, interrupted", map.asked) : "");
+  fmt::print("  time       {:.3f} s sweep, {:.3f} s set-up\n", map.sweep_seconds, map.setup_seconds);
+  for (std::size_t c = 0; c < map.cases.size(); ++c) {
+    const std::size_t undecided = map.count(c, MapAnswer::undecided);
+    fmt::print("  {:<10} {} feasible, {} {}{}\n", spins ? "possible" : "draft " + map.cases[c],
+               share(map.count(c, MapAnswer::feasible), n), share(map.count_ok(c), n),
+               spins ? "spin" : "float", undecided ? fmt::format(", {} undecided", share(undecided, n)) : "");
+  }
+  const auto best = map.best();
+  if (!best) {
+    fmt::print("  best       none: no axis is feasible\n");
+    return;
+  }
+  const MapAnswer& answer = map.at(best->axis, best->at_case);
+  const Vec3& a = map.axes[best->axis];
+  fmt::print("  best       axis {:.4f},{:.4f},{:.4f}{}: objective {:.6f}, {}\n", a[0], a[1], a[2],
+             spins ? "" : fmt::format(" at draft {}", map.cases[best->at_case]), answer.objective,
+             answer.verdict.text);
+  fmt::print("  make it    {}\n", map.command(*best));
+}
+
+}  // namespace
+
+int map_model(const MapOptions& options) {
+  require_writable(options.json_file, "--json");
+  require_writable(options.record_file, "--record");
+  MapSpec spec;
+  spec.config = options.config;
+  spec.axes = sphere_directions(options.axes);
+  spec.drafts = options.drafts;
+  spec.through = options.through == "centre" ? Through::centre : Through::lowest;
+  if (spec.config.problem == "float" && spec.drafts.empty()) spec.drafts = {"20%", "40%", "60%", "80%"};
+  OrientationMap map;
+  {
+    const StepLine line;
+    map = map_orientations(spec, [&](const std::string& step) { line.show(step); });
+  }
+  if (!options.record_file.empty()) write_map(options.record_file, map);
+  const std::string json = to_json(map).dump(2) + "\n";
+  if (options.json_file == "-") {
+    fmt::print("{}", json);  // alone on standard output, for a pipe
+  } else {
+    if (!options.json_file.empty()) write_text(options.json_file, json);
+    print_map(map);
+  }
+  if (map.axes.size() < map.asked) return was_interrupted;
+  return map.best() ? done : infeasible;
+}
+
+}  // namespace kreisel::bench

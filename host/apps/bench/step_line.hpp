@@ -1,0 +1,29 @@
+// step_line.hpp - what is under way, on a terminal.
+#pragma once
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <string>
+
+namespace kreisel::bench {
+
+/// The step under way, on a terminal; the line is taken back in the end, also ahead of an error.
+class StepLine {
+ public:
+  StepLine() = default;
+  StepLine(const StepLine&) = delete;
+  StepLine& operator=(const StepLine&) = delete;
+  ~StepLine() {
+    if (terminal_) fmt::print(stderr, "\r\033[K");
+  }
+  void show(const std::string& step) const {
+    if (terminal_) fmt::print(stderr, "\r\033[K{} ...", step);
+  }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+};
+
+}  // namespace kreisel::bench

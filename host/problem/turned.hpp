@@ -1,0 +1,44 @@
+// turned.hpp - a problem posed in another frame than the one its domain lies in.
+#pragma once
+
+#include <memory>
+
+#include "problem/problem.hpp"
+
+namespace kreisel {
+
+/// The moments of a solid in the frame x' = R x + t are T s, linear in those in x. So a problem of x' is the
+/// problem of x with f'(s) = f(T s), gradient T^T g, Hessian T^T H T and rows C T: another spin axis is
+/// another f and C over the same domain. [docs/map.md]
+///
+/// Meant for the quadric: rays along z see an optimum that is cut along another direction, so Traits say no
+/// more than `either_end` for a plane, and an interval may keep a piece at both ends for `segment`.
+class Turned final : public Problem {
+ public:
+  /// @param inner  the problem in x'
+  /// @param R, t   from the domain's frame to the problem's, body units; R a rotation
+  Turned(std::unique_ptr<Problem> inner, const Eigen::Matrix3d& R, const Vec3& t);
+
+  [[nodiscard]] std::string_view name() const override { return inner_->name(); }
+  [[nodiscard]] Convexity convexity() const override { return inner_->convexity(); }
+  [[nodiscard]] Traits traits() const override;
+  [[nodiscard]] Goal goal() const override { return inner_->goal(); }
+  [[nodiscard]] double value(const Moments& s) const override { return inner_->value(map_ * s); }
+  [[nodiscard]] Moments gradient(const Moments& s) const override;
+  [[nodiscard]] Matrix10 hessian(const Moments& s) const override;
+  [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
+  [[nodiscard]] std::unique_ptr<Problem> next(const Moments& s) const override;
+  [[nodiscard]] std::string scope(const MassModel& mass) const override;
+  [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override {
+    return inner_->verify(map_ * s, length_mm);
+  }
+
+ private:
+  Turned(std::unique_ptr<Problem> inner, const Matrix10& map);
+
+  std::unique_ptr<Problem> inner_;
+  Matrix10 map_;  ///< T
+  LinearConstraints constraints_;
+};
+
+}  // namespace kreisel

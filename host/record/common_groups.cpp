@@ -1,0 +1,30 @@
+#include "record/common_groups.hpp"
+
+namespace kreisel {
+
+void write_config(hdf5::Group group, const RunConfig& config) {
+  for (const auto& [key, value] : describe(config)) group.set(key, value);
+}
+
+void write_provenance(hdf5::Group group, const Provenance& p) {
+  group.set("version", p.version);
+  group.set("commit", p.commit);
+  group.set("compiler", p.compiler);
+  group.set("build_type", p.build_type);
+  group.set("host", p.host);
+  group.set("processor", p.processor);
+  group.set("system", p.system);
+  group.set("threads", p.threads);
+  group.set("device", p.device);
+  group.set("platform", p.platform);
+  group.set("driver", p.driver);
+  group.set("device_version", p.device_version);
+  group.set("device_fp64", p.device_fp64);
+  group.set("single_precision", p.single_precision);
+  group.set("ipopt_version", p.ipopt_version);
+  group.set("linear_solver", p.linear_solver);
+  group.set("blas", p.blas);
+  group.set("started", p.started);
+}
+
+}  // namespace kreisel

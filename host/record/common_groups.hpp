@@ -1,0 +1,15 @@
+// common_groups.hpp - groups that every kind of record has.
+#pragma once
+
+#include "record/hdf5_file.hpp"
+#include "run/config.hpp"
+#include "run/provenance.hpp"
+
+namespace kreisel {
+
+/// describe(config), an attribute each.
+void write_config(hdf5::Group group, const RunConfig& config);
+
+void write_provenance(hdf5::Group group, const Provenance& p);
+
+}  // namespace kreisel

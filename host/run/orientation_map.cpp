@@ -1,0 +1,252 @@
+#include "run/orientation_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "error.hpp"
+#include "problem/turned.hpp"
+#include "solve/distance_to_rows.hpp"
+#include "solve/interrupt.hpp"
+
+namespace kreisel {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// A step through n things in a circle that visits all, so that any number of steps spreads evenly.
+std::size_t even_step(std::size_t n) {
+  auto step = static_cast<std::size_t>(static_cast<double>(n) / std::numbers::phi);
+  while (step > 1 && std::gcd(step, n) != 1) --step;
+  return std::max<std::size_t>(step, 1);
+}
+
+/// What all axes share.
+struct Sweep {
+  const SolverEntry& solver;
+  SolverOptions options;
+  Formulation& formulation;
+  const MassModel& mass;
+  device::Device& device;
+  double length_mm;
+
+  /// @return  nothing when the user stopped it
+  [[nodiscard]] std::optional<MapAnswer> answer(const Problem& problem) const {
+    const Task task{problem, formulation, mass, device};
+    const Outcome outcome = solve(solver, task, options);
+    MapAnswer result;
+    result.objective = result.miss = nan;
+    switch (outcome.termination) {
+      case Termination::interrupted:
+        return std::nullopt;
+      case Termination::optimal:
+      case Termination::acceptable:
+        result.status = MapAnswer::feasible;
+        result.objective = outcome.objective;
+        result.miss = 0;
+        result.verdict = problem.verify(outcome.moments, length_mm);
+        return result;
+      case Termination::infeasible:
+      case Termination::failed:
+        break;
+    }
+    const RowDistance distance = distance_to_rows(*formulation.oracle(), mass, problem.constraints());
+    // Below this nobody could tell; a solver that gave up may have had only its own difficulties.
+    constexpr double least = 1e-6;
+    if (outcome.termination == Termination::infeasible || distance.proved > least)
+      result.status = MapAnswer::infeasible;
+    result.miss = distance.attained;
+    if (interrupted()) return std::nullopt;  // it stopped early
+    return result;
+  }
+};
+
+Vec3 contact_of(const Body& body, const Vec3& axis, Through through) {
+  const Vec3 lowest = lowest_point(body.mesh, axis);
+  if (through == Through::lowest) return lowest;
+  const Vec3 centre = body.frame.to_model(centre_of_mass(body.solid)), up = axis.normalized();
+  return centre - up.dot(centre - lowest) * up;
+}
+
+std::vector<std::string> cases_of(const MapSpec& spec) {
+  if (spec.config.problem == "float") {
+    if (spec.drafts.empty())
+      throw InputError("a map of float without drafts; expected one or more, such as 60%");
+    return spec.drafts;
+  }
+  if (!spec.drafts.empty())
+    throw InputError(fmt::format("drafts for {}; expected --problem float", spec.config.problem));
+  return {""};
+}
+
+/// Fields and settings as one writes them on the command line.
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(" \t'\"\\$`&|;<>()*?[]#~!{}") == std::string::npos) return text;
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+}  // namespace
+
+std::vector<Vec3> sphere_directions(int n) {
+  if (n < 1) throw InputError(fmt::format("{} axes; expected 1 or more", n));
+  const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
+  std::vector<Vec3> directions;
+  for (int i = 0; i < n; ++i) {
+    const double z = 1 - (2.0 * i + 1) / n, r = std::sqrt(1 - z * z);
+    directions.emplace_back(r * std::cos(golden_angle * i), r * std::sin(golden_angle * i), z);
+  }
+  return directions;
+}
+
+std::size_t OrientationMap::count(std::size_t at_case, MapAnswer::Status status) const {
+  std::size_t n = 0;
+  for (std::size_t a = 0; a < axes.size(); ++a) n += at(a, at_case).status == status;
+  return n;
+}
+
+std::size_t OrientationMap::count_ok(std::size_t at_case) const {
+  std::size_t n = 0;
+  for (std::size_t a = 0; a < axes.size(); ++a) n += at(a, at_case).verdict.ok;
+  return n;
+}
+
+std::optional<OrientationMap::Place> OrientationMap::best() const {
+  const auto loss = [&](const MapAnswer& answer) {
+    if (config.problem != "float") return answer.objective;
+    return -answer.verdict.values.at("metacentric_height_mm");
+  };
+  std::optional<Place> best;
+  for (std::size_t a = 0; a < axes.size(); ++a)
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+      const MapAnswer& here = at(a, c);
+      if (here.status != MapAnswer::feasible) continue;
+      if (best) {
+        const MapAnswer& so_far = at(best->axis, best->at_case);
+        if (here.verdict.ok < so_far.verdict.ok) continue;
+        if (here.verdict.ok == so_far.verdict.ok && !(loss(here) < loss(so_far))) continue;
+      }
+      best = Place{a, c};
+    }
+  return best;
+}
+
+std::string OrientationMap::command(Place place) const {
+  RunConfig run = config;
+  const bool upright = find_problem(run.problem).upright;
+  run.body.axis = run.body.up = run.body.contact = std::nullopt;
+  if (!cases[place.at_case].empty()) run.settings["problem.draft"] = cases[place.at_case];
+  std::string line = "bench";
+  for (const auto& [key, value] : describe(run))
+    line += key.find('.') != std::string::npos ? fmt::format(" --set {}", quoted(key + "=" + value))
+                                               : fmt::format(" --{} {}", key, quoted(value));
+  const Vec3 &a = axes[place.axis], &p = contacts[place.axis];
+  return line + fmt::format(" --{}={:.9g},{:.9g},{:.9g} --contact={:.9g},{:.9g},{:.9g}",
+                            upright ? "up" : "axis", a[0], a[1], a[2], p[0], p[1], p[2]);
+}
+
+OrientationMap map_orientations(const MapSpec& spec, const Progress& progress) {
+  const auto tell = [&](const std::string& step) {
+    if (progress) progress(step);
+  };
+  const auto begin = Clock::now();
+  const ProblemEntry& asked = find_problem(spec.config.problem);
+  if (asked.name != "spin" && asked.name != "float")
+    throw InputError(fmt::format("a map of {}; expected the problem spin or float", asked.name));
+  if (spec.axes.empty()) throw InputError("a map without axes; expected one or more");
+  for (const Vec3& axis : spec.axes)
+    if (!axis.allFinite() || axis.norm() == 0)
+      throw InputError(fmt::format("axis {},{},{} has no direction; expected a non-zero vector", axis[0],
+                                   axis[1], axis[2]));
+
+  OrientationMap map;
+  map.config = spec.config;
+  map.config.formulation = "quadric";
+  map.config.solver = "moment";
+  map.cases = cases_of(spec);
+  map.through = spec.through;
+  map.asked = spec.axes.size();
+  const SolverEntry& solver = find_solver(map.config.solver, map.config.formulation);
+  SolverOptions options = parse_solver_options(settings_of(map.config, "solver"));
+  // A hundred-thousandth of what a verdict asks for. The last digits would cost most of the time, near
+  // directions across the rays above all, where a plane turns whole rays on and off.
+  options.own = {{"tolerance", "1e-8"}};
+  for (const auto& [name, value] : settings_of(map.config, map.config.solver)) options.own[name] = value;
+  device::Device device(map.config.device, map.config.single_precision ? device::Precision::single
+                                                                       : device::Precision::automatic);
+  tell("set-up");
+  BodySpec body_spec = map.config.body;
+  body_spec.stands_upright = asked.upright;
+  const Body body = make_body(body_spec, device);
+  stop_if_interrupted();
+  const Columns domain = make_columns(body, map.config.grid, map.config.wall);
+  stop_if_interrupted();
+  const MassModel mass = hollowed(body, domain.interior);
+  const std::unique_ptr<Formulation> formulation =
+      make_formulation(map.config.formulation, domain, {}, settings_of(map.config, "formulation"), device);
+  formulation->warm_up();
+  stop_if_interrupted();
+
+  map.provenance = make_provenance(device);
+  map.body_name = body.name;
+  map.length_mm = body.frame.length;
+  map.mass_unit_grams = body.mass_grams();
+  map.frame = body.frame;
+  map.grid = domain.grid;
+  map.wall = domain.wall;
+  map.rays = domain.intervals.size();
+  map.interior_voxels = domain.interior_voxels;
+  map.setup_seconds = seconds_since(begin);
+
+  const auto start = Clock::now();
+  const Sweep sweep{solver, options, *formulation, mass, device, body.frame.length};
+  const std::size_t n = spec.axes.size(), step = even_step(n);
+  std::vector<std::vector<MapAnswer>> answers(n);  // empty: not done
+  std::vector<Vec3> contacts(n);
+  ProblemSettings settings = settings_of(map.config, "problem");
+  Body turned = body;
+  auto told = Clock::now();
+  for (std::size_t k = 0; k < n && !interrupted(); ++k) {
+    if (k == 0 || seconds_since(told) > 0.1) {
+      tell(fmt::format("axis {} of {}", k + 1, n));
+      told = Clock::now();
+    }
+    const std::size_t i = k * step % n;
+    contacts[i] = contact_of(body, spec.axes[i], spec.through);
+    reframe(turned, body, spec.axes[i], contacts[i]);
+    const Eigen::Matrix3d R = turned.frame.rotation * body.frame.rotation.transpose();
+    const Vec3 t = turned.frame.to_body(body.frame.origin);
+    std::vector<MapAnswer> here;
+    for (const std::string& at_case : map.cases) {
+      if (!at_case.empty()) settings["draft"] = at_case;
+      const Turned problem(asked.make(settings, turned), R, t);
+      std::optional<MapAnswer> answer = sweep.answer(problem);
+      if (!answer) break;
+      here.push_back(std::move(*answer));
+    }
+    if (here.size() == map.cases.size()) answers[i] = std::move(here);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (answers[i].empty()) continue;
+    map.axes.push_back(spec.axes[i].normalized());
+    map.contacts.push_back(contacts[i]);
+    std::ranges::move(answers[i], std::back_inserter(map.answers));
+  }
+  map.sweep_seconds = seconds_since(start);
+  return map;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,84 @@
+// orientation_map.hpp - one body, one domain, every orientation: where it can spin, or float. [docs/map.md]
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "run/config.hpp"
+#include "run/pipeline.hpp"
+#include "run/provenance.hpp"
+#include "solve/solver.hpp"
+
+namespace kreisel {
+
+/// Where an axis runs through the body: through its lowest point along the axis, on which it then spins; or
+/// through the solid's centre of mass, on a peg as long as it takes to touch the ground at the lowest point's
+/// height.
+enum class Through { lowest, centre };
+
+/// What is asked. Formulation and solver are always `quadric` and `moment`.
+struct MapSpec {
+  RunConfig config;        ///< body (its axis and up lay the rays of the one domain), problem, grid, wall
+  std::vector<Vec3> axes;  ///< model coordinates, any length but zero; z of the problem's frame
+  std::vector<std::string> drafts;  ///< of `float`: a case each, as `problem.draft` takes them
+  Through through = Through::lowest;
+};
+
+/// n directions, one for about each 4 pi / n of the sphere: equal steps along z, golden angles around it.
+/// [Fibonacci lattice] @throws InputError  n < 1
+[[nodiscard]] std::vector<Vec3> sphere_directions(int n);
+
+/// The answer for one axis and case.
+struct MapAnswer {
+  enum Status { undecided, feasible, infeasible } status = undecided;
+  double objective = 0;  ///< f at the optimum; NaN when not feasible
+  double miss =
+      0;  ///< distance of what can be attained from what is asked (distance_to_rows.hpp); 0 if feasible
+  Verdict verdict;  ///< of the optimum's own moments, when feasible; not of a written mesh
+};
+
+/// The map. Answers of axis a and case c stand at a * cases.size() + c.
+struct OrientationMap {
+  RunConfig config;  ///< with quadric and moment
+  Through through = Through::lowest;
+  Provenance provenance;
+  std::string body_name;
+  double length_mm = 1, mass_unit_grams = 1;
+  Frame frame;  ///< of the domain
+  Grid grid;
+  double wall = 0;  ///< body units
+  std::size_t rays = 0, interior_voxels = 0;
+
+  std::vector<std::string> cases;    ///< drafts of `float`; else one, without a name
+  std::vector<Vec3> axes, contacts;  ///< of those answered, model coordinates (mm), in the order given
+  std::vector<MapAnswer> answers;
+  std::size_t asked = 0;  ///< axes; more than were answered when the user stopped it
+  double setup_seconds = 0, sweep_seconds = 0;
+
+  [[nodiscard]] const MapAnswer& at(std::size_t axis, std::size_t at_case) const {
+    return answers[axis * cases.size() + at_case];
+  }
+  [[nodiscard]] std::size_t count(std::size_t at_case, MapAnswer::Status status) const;
+  [[nodiscard]] std::size_t count_ok(std::size_t at_case) const;
+
+  struct Place {
+    std::size_t axis, at_case;
+  };
+  /// The best of those whose verdict is good, else of the feasible ones; nothing when none is. To spin: of
+  /// least objective; to float: of largest metacentric height.
+  [[nodiscard]] std::optional<Place> best() const;
+
+  /// The line that makes, writes and verifies the part of one place: `bench --axis ... --contact ...`.
+  [[nodiscard]] std::string command(Place place) const;
+};
+
+/// Solves every axis and case over the one domain, each by itself: the answers depend on no order.
+///
+/// On Ctrl-C it ends early and keeps what is done, spread evenly over the axes.
+/// @throws InputError   bad configuration or mesh, a problem that is neither spin nor float, no axes
+/// @throws Interrupted  before the sweep began
+[[nodiscard]] OrientationMap map_orientations(const MapSpec& spec, const Progress& progress = {});
+
+}  // namespace kreisel

@@ -1,0 +1,103 @@
+// map_test.cpp - `bench map` as a user runs it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "apps/run_bench.hpp"
+#include "temporary_folder.hpp"
+
+namespace kreisel {
+namespace {
+
+class BenchMap : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_.path / name).string(); }
+
+  /// Runs tests/record/map_h5py_test.py on a map.
+  void expect_h5py_reads(const std::string& map) const {
+    if (std::system("/usr/bin/python3 -c 'import h5py' 2>/dev/null") != 0)
+      GTEST_SKIP() << "h5py is not installed";
+    const BenchAnswer a =
+        shell(fmt::format("/usr/bin/python3 '{}/tests/record/map_h5py_test.py' {}", KREISEL_SOURCE, map));
+    EXPECT_EQ(a.code, 0) << a.out;
+  }
+
+  const TemporaryFolder folder_;
+};
+
+constexpr const char* small = "ellipsoid --resolution 24 --fineness 16";
+
+TEST_F(BenchMap, WritesARecordThatH5pyReadsAndSaysHowToMakeTheBest) {
+  const BenchAnswer a =
+      bench(fmt::format("map {} --axes 60 --record {} --json {}", small, file("map.h5"), file("map.json")));
+  ASSERT_EQ(a.code, 0) << a.out;
+  EXPECT_NE(a.out.find("of spin"), std::string::npos) << a.out;
+  EXPECT_NE(a.out.find("feasible"), std::string::npos) << a.out;
+  expect_h5py_reads(file("map.h5"));
+
+  const auto json = nlohmann::json::parse(std::ifstream(file("map.json")));
+  ASSERT_EQ(json.at("axes").size(), 60u);
+  EXPECT_EQ(json.at("termination"), "complete");
+  const auto& cases = json.at("cases").at(0);
+  EXPECT_EQ(
+      cases.at("feasible").get<int>() + cases.at("infeasible").get<int>() + cases.at("undecided").get<int>(),
+      60);
+  EXPECT_GT(cases.at("feasible").get<int>(), 0);
+  EXPECT_GT(cases.at("infeasible").get<int>(), 0);
+
+  const std::string command = json.at("best").at("command");
+  ASSERT_TRUE(command.starts_with("bench ")) << command;
+  const BenchAnswer made = bench(command.substr(6) + " --json " + file("best.json"));
+  ASSERT_EQ(made.code, 0) << made.out;
+  const auto best = nlohmann::json::parse(std::ifstream(file("best.json")));
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(best.at("frame").at("axis")[k].get<double>(), json.at("best").at("axis")[k].get<double>(),
+                1e-8);
+    EXPECT_NEAR(best.at("frame").at("contact")[k].get<double>(),
+                json.at("best").at("contact")[k].get<double>(), 1e-6);
+  }
+  // Another grid, whose cells take in a tenth more or less of the interior: see orientation_map_test.cpp.
+  EXPECT_NEAR(best.at("objective").get<double>(), json.at("best").at("objective").get<double>(),
+              0.1 * best.at("objective").get<double>());
+}
+
+TEST_F(BenchMap, FloatsAtSeveralDrafts) {
+  const BenchAnswer a = bench(fmt::format(
+      "map {} --problem float --drafts 40%,70% --axes 12 --record {} --json -", small, file("m.h5")));
+  ASSERT_EQ(a.code, 0) << a.out;
+  const auto json = nlohmann::json::parse(a.out);
+  ASSERT_EQ(json.at("cases").size(), 2u);
+  EXPECT_EQ(json.at("cases")[1].at("draft"), "70%");
+  EXPECT_EQ(json.at("axes")[0].at("answers").size(), 2u);
+  EXPECT_NE(json.at("best").at("command").get<std::string>().find("--up="), std::string::npos);
+  expect_h5py_reads(file("m.h5"));
+}
+
+TEST_F(BenchMap, KeepsWhatIsDoneWhenInterrupted) {
+  const BenchAnswer a =
+      shell(fmt::format("timeout --preserve-status -s INT 4 '{}' map {} --axes 2000000 --record {}",
+                        KREISEL_BENCH, small, file("part.h5")));
+  EXPECT_EQ(a.code, 130) << a.out;
+  if (a.out.find("nothing written") != std::string::npos) GTEST_SKIP() << "too slow to begin within 4 s";
+  EXPECT_NE(a.out.find("of 2000000, interrupted"), std::string::npos) << a.out;
+  expect_h5py_reads(file("part.h5"));
+}
+
+TEST_F(BenchMap, RefusesWhatItCannotDoInOneLine) {
+  for (const char* bad : {"--problem stand", "--axes 0", "--drafts 40%", "--problem float --drafts 140%",
+                          "--formulation voxel", "--record /no/such/folder/m.h5"}) {
+    const BenchAnswer a = bench(fmt::format("map {} {}", small, bad));
+    EXPECT_EQ(a.code, 2) << bad << a.out;
+    EXPECT_EQ(std::ranges::count(a.out, '\n'), 1) << a.out;
+    EXPECT_NE(a.out.find("expected"), std::string::npos) << a.out;
+  }
+  EXPECT_EQ(bench("map").code, 2);
+}
+
+}  // namespace
+}  // namespace kreisel
