@@ -69,7 +69,8 @@ struct RunResult {
   Verified verified;
 
   /// How far the objective may be above the least there is, as a share of it; infinite where nothing was
-  /// proved, or where no interior meets the constraints. With a certificate only.
+  /// proved, where the result misses its constraints by more than 1e-6, or where no interior meets the
+  /// constraints. With a certificate only.
   [[nodiscard]] double gap() const;
 
   /// Body-frame moments in model units (g, mm) about the model's own origin and axes.

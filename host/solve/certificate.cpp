@@ -100,8 +100,10 @@ Certificate certify(const Problem& problem, const Columns& domain, const MassMod
   const std::optional<Ratio> ratio = problem.ratio();
   const bool constrained = !ratio || ratio->constrained;
   c.rows = rows_of(problem.constraints(), false);
-  c.best = outcome.termination == Termination::infeasible ? std::numeric_limits<double>::infinity()
-                                                          : outcome.objective;
+  // What maximises a margin attains its value, whether that is enough or not.
+  const bool infeasible = outcome.termination == Termination::infeasible;
+  c.best = infeasible && problem.goal() == Goal::value ? std::numeric_limits<double>::infinity()
+                                                       : outcome.objective;
   c.best_x = outcome.x;
   if (ratio) {
     c.kind = Certificate::Kind::ratio;
@@ -112,7 +114,7 @@ Certificate certify(const Problem& problem, const Columns& domain, const MassMod
     c.objective = problem.gradient(outcome.moments);
   }
 
-  if (outcome.termination == Termination::infeasible && problem.goal() == Goal::value)
+  if (infeasible && problem.goal() == Goal::value)
     prove_infeasible(c, support,
                      Eigen::Map<const Eigen::VectorXd>(
                          outcome.multipliers.data(), static_cast<Eigen::Index>(outcome.multipliers.size())));
@@ -130,7 +132,10 @@ Certificate certify(const Problem& problem, const Columns& domain, const MassMod
   } else {
     c.message = fmt::format("no certificate is known for {}", problem.name());
   }
-  if (c.kind != Certificate::Kind::infeasible) c.reached = c.best - c.bound <= options.gap * std::abs(c.best);
+  if (c.kind != Certificate::Kind::infeasible)
+    c.reached = std::isfinite(c.best) && c.best - c.bound <= options.gap * std::abs(c.best);
+  if (infeasible && problem.goal() == Goal::margin && c.bound > 0)
+    c.message = "that is above 0 for every interior, so none does what was asked";
   if (c.message.empty()) c.message = c.reached ? "the gap was reached" : "the multipliers prove no more";
   c.seconds = spent();
   return c;

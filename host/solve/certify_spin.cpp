@@ -54,7 +54,8 @@ class Tree {
         problem_(problem),
         support_(support),
         oracle_(*task.formulation.oracle(), task.mass, 0),
-        options_(options) {}
+        options_(options),
+        tolerance_(task.device.single() ? 1e-8 : 1e-12) {}
 
   void start(const Outcome& outcome, const MassModel& mass, const Moments& solid);
   void grow(const std::function<double()>& spent);
@@ -72,6 +73,7 @@ class Tree {
   const SafeSupport& support_;
   TotalSupport oracle_;
   const CertifyOptions& options_;
+  double tolerance_;  ///< of searches: bounds are found again in double, whatever the device has
   std::vector<Node> nodes_;
   std::vector<CertifiedBox> outside_;
 };
@@ -82,7 +84,7 @@ CertifiedBox Tree::beyond(double sign, const MomentPoint& from) {
   MomentPoint point = from;
   point.multipliers.setZero(4);
   point.active.clear();
-  (void)find_stationary(height, oracle_, 1e-12, 40, point);
+  (void)find_stationary(height, oracle_, tolerance_, 40, point);
   const Moments forms = sign * Moments::Unit(SZ);
   BoxMultipliers m;
   m.mu = point.multipliers * point.s[S1];
@@ -118,7 +120,7 @@ void Tree::try_point(const MomentPoint& near) {
   MomentPoint point = near;
   point.multipliers.setZero(4);
   point.active.clear();
-  const Phase phase = find_stationary(problem_, oracle_, 1e-13, 100, point);
+  const Phase phase = find_stationary(problem_, oracle_, tolerance_, 100, point);
   if (phase == Phase::infeasible || phase == Phase::interrupted) return;
   const Moments reached = oracle_(point.q, false).moments;
   const double f = problem_.value(reached);
@@ -131,7 +133,7 @@ void Tree::try_point(const MomentPoint& near) {
 void Tree::solve(Node& n) {
   ++c_.searches;
   n.solved = true;
-  const BoxMinimum minimum = minimise_box(oracle_, n.box.low, n.box.high, n.point);
+  const BoxMinimum minimum = minimise_box(oracle_, n.box.low, n.box.high, n.point, tolerance_);
   const CertifiedBox box =
       certify_box(support_, problem_.options(), n.box.low, n.box.high, minimum.multipliers);
   if (minimum.empty) {

@@ -148,9 +148,9 @@ CertifiedBox certify_box(const SafeSupport& support, const SpinOptions& f, doubl
   return box;
 }
 
-BoxMinimum minimise_box(TotalSupport& oracle, double low, double high, const MomentPoint& near) {
+BoxMinimum minimise_box(TotalSupport& oracle, double low, double high, const MomentPoint& near,
+                        double tolerance) {
   // Bounds need multipliers that are about right, not more.
-  constexpr double tolerance = 1e-12;
   constexpr int most_steps = 40;
   BoxMinimum out;
   out.point = near;

@@ -49,6 +49,8 @@ struct BoxMinimum {
 };
 
 /// Minimises the secant's bound on the inertia ratio over a box, from `near` on.
-[[nodiscard]] BoxMinimum minimise_box(TotalSupport& oracle, double low, double high, const MomentPoint& near);
+/// @param tolerance  on the residual, no less than the oracle's arithmetic allows
+[[nodiscard]] BoxMinimum minimise_box(TotalSupport& oracle, double low, double high, const MomentPoint& near,
+                                      double tolerance = 1e-12);
 
 }  // namespace kreisel

@@ -104,6 +104,14 @@ void refuses(const std::string& text, unsigned line, const Texts& parts) {
   }
 }
 
+TEST(Experiment, TakesAGapToCertify) {
+  const TemporaryFolder folder;
+  const auto experiment = read_experiment(
+      folder.write("gap.toml", "certify = 1e-3\n[[run]]\nmodel = \"bird\"\n[[run]]\ncertify = 0.01"));
+  EXPECT_EQ(experiment.runs.at(0).config.certify, 1e-3);
+  EXPECT_EQ(experiment.runs.at(1).config.certify, 0.01);
+}
+
 TEST(Experiment, RefusesWhatIsNotToml) { refuses("repeat = 5\nbudget = = 3\n[[run]]", 2, {"TOML"}); }
 TEST(Experiment, RefusesAnUnknownKey) { refuses("[[run]]\n\nresolutoin = 3", 3, {"resolutoin"}); }
 TEST(Experiment, RefusesAnUnknownKeyAmongTheDefaults) { refuses("\ncolour = 3\n[[run]]", 2, {"colour"}); }

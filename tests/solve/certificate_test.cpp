@@ -153,6 +153,26 @@ TEST(Certificate, OfWhatCannotBeMetSeparates) {
   EXPECT_GT(c.q.dot(on.mass.fixed), 0);
 }
 
+TEST(Certificate, OfWhatCannotStandBoundsItsTilt) {
+  const MassModel mass{0.5 * box_moments({1, 0, 0.7}, {1, 1, 1}), 0.75};
+  const Base base{hull_of({{-0.3, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {-0.3, 0.3}}), 0, 1.25};
+  const Certificate c = certify(MaxTilt(base, 0), BoxDomain::columns(), mass, test_device(), {});
+  EXPECT_EQ(c.kind, Certificate::Kind::ratio);
+  EXPECT_GT(c.bound, 0);
+  EXPECT_LE(c.bound, c.best);
+  EXPECT_NE(c.message.find("above 0"), std::string::npos) << c.message;
+}
+
+TEST(Certificate, OnASingleDeviceIsAsRigorous) {
+  const Case on = top();
+  const Spin problem({1, 1});
+  const Certificate fine = on.certified(problem);
+  const Certificate c = certify(problem, on.domain, on.mass, single_device(), {});
+  EXPECT_TRUE(c.reached) << c.message;
+  EXPECT_LE(c.bound, fine.best);
+  EXPECT_NEAR(c.bound, fine.bound, 2e-3 * fine.best);
+}
+
 TEST(Certificate, BoundsWhateverIsAttained) {
   Random random(11);
   const Case on = top();

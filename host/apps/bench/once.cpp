@@ -22,9 +22,12 @@ void print_certificate(const RunResult& r) {
         c.separation, c.seconds);
     return;
   }
-  fmt::print("  certified  f >= {:.6f}, gap {:.3g} %, {} boxes, {:.2f} s ({})\n", c.bound, 100 * r.gap(),
-             c.boxes.size(), c.seconds, c.message);
-  if (c.best < r.outcome.objective - 1e-6 * std::abs(r.outcome.objective))
+  const std::string gap = std::isfinite(r.gap()) ? fmt::format("gap {:.3g} %, ", 100 * r.gap()) : "";
+  fmt::print("  certified  f >= {:.6f}, {}{} boxes, {:.2f} s ({})\n", c.bound, gap, c.boxes.size(), c.seconds,
+             c.message);
+  if (r.outcome.violation > 1e-6 && c.reached)
+    fmt::print("  feasible   f = {:.6f} can be had, by --formulation quadric\n", c.best);
+  else if (c.best < r.outcome.objective - 1e-6 * std::abs(r.outcome.objective))
     fmt::print("  better     f = {:.6f} was found on the way, by --formulation quadric\n", c.best);
 }
 
