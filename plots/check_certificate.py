@@ -24,9 +24,10 @@ class Domain:
     def __init__(self, file):
         domain, certificate = file["domain"], file["certificate"]
         origin, h = domain["grid_origin"][:], domain.attrs["spacing"]
-        ix, iy, k0, k1 = domain["intervals"][:].astype(float).T
+        ix, iy, low, high = domain["intervals"][:].astype(float).T
         x, y = origin[0] + h * (ix + 0.5), origin[1] + h * (iy + 0.5)
-        self.lower, self.upper = origin[2] + h * k0, origin[2] + h * k1
+        exact = domain.attrs["kind"] == "exact"  # heights as they are; else faces of cells
+        self.lower, self.upper = (low, high) if exact else (origin[2] + h * low, origin[2] + h * high)
         one, mean = np.ones_like(x), h * h / 12
         self.across = {0: np.stack([one, x, y, x * y, x * x + mean, y * y + mean]),  # with z^0
                        1: np.stack([one, y, x]),                                     # with z^1

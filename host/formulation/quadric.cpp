@@ -22,6 +22,17 @@ Rays rays_of(const Columns& domain) {
   return rays;
 }
 
+Rays rays_of(const ExactColumns& domain) {
+  Rays rays;
+  rays.grid = domain.grid;
+  for (const ExactInterval& run : domain.intervals) {
+    rays.columns.push_back(pack_column(run.ix, run.iy));
+    rays.lower.push_back(run.z0);
+    rays.upper.push_back(run.z1);
+  }
+  return rays;
+}
+
 namespace {
 
 /// Every second column in x and y, each for four.
@@ -45,12 +56,12 @@ Rays every_second(const Rays& fine) {
 
 class Quadric final : public Formulation, public SupportOracle {
  public:
-  Quadric(const Columns& domain, device::Device& device) : domain_(domain) {
+  /// @param voxels  to round to; may be nullptr
+  Quadric(Rays rays, const Columns* voxels, device::Device& device) : voxels_(voxels) {
     const double infinity = std::numeric_limits<double>::infinity();
     bounds_ = {std::vector<double>(10, -infinity), std::vector<double>(10, infinity)};
     // Below some thousand rays a pass costs its launch, so a coarser level would gain nothing.
     constexpr std::size_t least_rays = 2000;
-    Rays rays = rays_of(domain);
     levels_.emplace_back(device, rays);
     while (rays.columns.size() > 4 * least_rays) {
       rays = every_second(rays);
@@ -83,11 +94,12 @@ class Quadric final : public Formulation, public SupportOracle {
   }
 
   Rounded round(std::span<const double> x) const override {
-    Rounded rounded{VoxelSet(domain_, false)};
-    const Grid& grid = domain_.grid;
+    if (!voxels_) throw std::logic_error("a domain without voxels to round to");
+    Rounded rounded{VoxelSet(*voxels_, false)};
+    const Grid& grid = voxels_->grid;
     const Moments q(x.data());
-    for (std::size_t i = 0; i < domain_.intervals.size(); ++i) {
-      const Interval& run = domain_.intervals[i];
+    for (std::size_t i = 0; i < voxels_->intervals.size(); ++i) {
+      const Interval& run = voxels_->intervals[i];
       const double px = grid.centre(0, run.ix), py = grid.centre(1, run.iy), hh = grid.h * grid.h / 12;
       for (int k = run.k0; k < run.k1; ++k) {
         const double pz = grid.centre(2, k);
@@ -108,19 +120,33 @@ class Quadric final : public Formulation, public SupportOracle {
   }
 
  private:
-  const Columns& domain_;
+  const Columns* voxels_;
   Bounds bounds_;
   std::vector<QuadricMoments> levels_;
 };
 
 }  // namespace
 
-std::unique_ptr<Formulation> make_quadric(const Columns& domain, const Traits&,
-                                          const FormulationSettings& settings, device::Device& device) {
+namespace {
+
+void refuse_settings(const FormulationSettings& settings) {
   if (!settings.empty())
     throw InputError(fmt::format("formulation.{} = {} for quadric; it has no settings",
                                  settings.begin()->first, settings.begin()->second));
-  return std::make_unique<Quadric>(domain, device);
+}
+
+}  // namespace
+
+std::unique_ptr<Formulation> make_quadric(const Columns& domain, const Traits&,
+                                          const FormulationSettings& settings, device::Device& device) {
+  refuse_settings(settings);
+  return std::make_unique<Quadric>(rays_of(domain), &domain, device);
+}
+
+std::unique_ptr<Formulation> make_quadric(const Rays& rays, const FormulationSettings& settings,
+                                          device::Device& device) {
+  refuse_settings(settings);
+  return std::make_unique<Quadric>(rays, nullptr, device);
 }
 
 }  // namespace kreisel

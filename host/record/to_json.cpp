@@ -127,7 +127,7 @@ json to_json(const RunResult& r) {
       {"moments_body", list(o.moments)},
       {"seconds", to_json(r.median)},
       {"samples", samples},
-      {"domain", "columns"},
+      {"domain", r.domain},
       {"rays", r.rays},
       {"inside_voxels", r.inside_voxels},
       {"interior_voxels", r.interior_voxels},

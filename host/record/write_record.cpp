@@ -67,7 +67,7 @@ void write_body(Group group, const RunResult& r) {
 }
 
 void write_domain(Group group, const RunResult& r) {
-  group.set("kind", "columns");
+  group.set("kind", r.domain);
   group.set("wall", r.wall);
   group.set("wall_units", "L");
   group.set("spacing", r.grid.h);
@@ -77,6 +77,13 @@ void write_domain(Group group, const RunResult& r) {
   group.set("interior_voxels", r.interior_voxels);
   group.write("grid", r.grid.n, {3}, {"cells", xyz});
   write_vector(group, "grid_origin", r.grid.origin, "L");
+  if (r.domain == "exact") {
+    std::vector<double> ends;
+    for (const ExactInterval& run : r.exact_intervals)
+      ends.insert(ends.end(), {double(run.ix), double(run.iy), run.z0, run.z1});
+    group.write("intervals", ends, {r.exact_intervals.size(), 4}, {"cells, L", {"ix", "iy", "z0", "z1"}});
+    return;
+  }
   std::vector<int> rows;
   rows.reserve(4 * r.intervals.size());
   for (const Interval& run : r.intervals) rows.insert(rows.end(), {run.ix, run.iy, run.k0, run.k1});

@@ -101,6 +101,11 @@ const std::map<std::string_view, Setter>& setters() {
            throw unknown_name("solver", v, names_of(solvers()));
          c.solver = v;
        }},
+      {"domain",
+       [](C c, S k, S v) {
+         if (v != "columns" && v != "exact") refuse(k, v, "columns or exact");
+         c.domain = v;
+       }},
       {"resolution", [](C c, S k, S v) { c.grid = grid(k, v); }},
       {"wall", [](C c, S, S v) { c.wall = parse_wall(std::string(v)); }},
       {"rounding",
@@ -165,6 +170,15 @@ std::string solver_of(const RunConfig& config) {
   return std::string(config.solver.empty() ? default_solver(config.formulation).name : config.solver);
 }
 
+std::string domain_of(const RunConfig& config) {
+  const bool exact = config.formulation == "quadric";
+  if (config.domain.empty()) return exact ? "exact" : "columns";
+  if (config.domain == "exact" && !exact)
+    throw InputError(fmt::format("domain 'exact' does not work with formulation '{}'; it works with: quadric",
+                                 config.formulation));
+  return config.domain;
+}
+
 std::map<std::string, std::string> settings_of(const RunConfig& config, std::string_view group) {
   std::map<std::string, std::string> result;
   for (const auto& [key, value] : config.settings)
@@ -179,6 +193,7 @@ std::map<std::string, std::string> describe(const RunConfig& config) {
   fields["problem"] = config.problem;
   fields["formulation"] = config.formulation;
   fields["solver"] = solver_of(config);
+  if (domain_of(config) != "columns") fields["domain"] = domain_of(config);
   fields["resolution"] = text_of(config.grid);
   fields["wall"] = to_string(config.wall);
   fields["density"] = fmt::format("{}", config.body.density);

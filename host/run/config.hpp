@@ -19,6 +19,7 @@ struct RunConfig {
   BodySpec body;
   std::string problem = "spin", formulation = "rayrep";
   std::string solver;  ///< empty: the first that works with the formulation, see solver_of()
+  std::string domain;  ///< columns or exact; empty: the formulation's own, see domain_of()
   GridSpec grid;
   Wall wall;
   Rounding rounding = Rounding::fitted;
@@ -32,14 +33,20 @@ struct RunConfig {
 };
 
 /// Sets one field from text, as the command line and TOML files name them: model, problem, formulation,
-/// solver, resolution (N or NXxNYxNZ), wall, axis, contact, up ("x,y,z"), unit, size, density, void-density,
-/// fineness, device, precision, repeat, budget, certify, and GROUP.NAME for settings.
+/// solver, domain, resolution (N or NXxNYxNZ), wall, axis, contact, up ("x,y,z"), unit, size, density,
+/// void-density, fineness, device, precision, repeat, budget, certify, and GROUP.NAME for settings.
 ///
 /// @throws InputError  unknown key or unfit value; names both and what was expected
 void set_field(RunConfig& config, std::string_view key, std::string_view value);
 
 /// The solver that is asked for, or else the first that works with the formulation.
 [[nodiscard]] std::string solver_of(const RunConfig& config);
+
+/// The domain that is asked for, or else the formulation's own: exact for quadric, columns for those that
+/// need voxels or whole cells.
+///
+/// @throws InputError  exact with a formulation that cannot work on it
+[[nodiscard]] std::string domain_of(const RunConfig& config);
 
 /// The settings of one group, without its prefix.
 [[nodiscard]] std::map<std::string, std::string> settings_of(const RunConfig& config, std::string_view group);

@@ -9,10 +9,14 @@
 #include <filesystem>
 #include <utility>
 
+#include "body/mesh_moments.hpp"
+#include "domain/exact.hpp"
 #include "error.hpp"
+#include "fabricate/quadric_cavity.hpp"
 #include "fabricate/verify.hpp"
 #include "fabricate/void_surface.hpp"
 #include "formulation/meet_constraints.hpp"
+#include "formulation/quadric.hpp"
 #include "mesh/write.hpp"
 #include "solve/explain.hpp"
 #include "solve/interrupt.hpp"
@@ -45,6 +49,37 @@ Seconds medians(const std::vector<Seconds>& samples) {
   return {column(&Seconds::setup), column(&Seconds::kernels), column(&Seconds::solve),
           column(&Seconds::total)};
 }
+
+/// What of a body can be filled, as the configuration asks for it: voxels and rays, or rays alone.
+struct Domain {
+  std::optional<Columns> columns;
+  std::optional<ExactColumns> exact;
+
+  Domain(const RunConfig& config, const Body& body) {
+    if (domain_of(config) == "exact")
+      exact = make_exact(body, config.grid, config.wall);
+    else
+      columns = make_columns(body, config.grid, config.wall);
+  }
+  [[nodiscard]] const Moments& interior() const { return exact ? exact->interior : columns->interior; }
+  [[nodiscard]] Rays rays() const { return exact ? rays_of(*exact) : rays_of(*columns); }
+
+  void describe(RunResult& r) const {
+    r.interior = interior();
+    r.grid = exact ? exact->grid : columns->grid;
+    r.wall = exact ? exact->wall : columns->wall;
+    if (exact) {
+      r.domain = "exact";
+      r.exact_intervals = exact->intervals;
+      r.rays = exact->intervals.size();
+      return;
+    }
+    r.intervals = columns->intervals;
+    r.rays = columns->intervals.size();
+    r.inside_voxels = columns->inside_voxels;
+    r.interior_voxels = columns->interior_voxels;
+  }
+};
 
 RoundingCost cost_of(const Rounded& rounded, std::size_t moved, const MassModel& mass,
                      const Problem& problem) {
@@ -90,7 +125,7 @@ Verified write_and_verify(const RunOutput& output, const Body& body, const Probl
 
 /// Bounds what there is to gain; and where that finds a better interior than a solver that can start
 /// anywhere, has it go on from there.
-void add_certificate(RunResult& r, const Task& task, const Columns& domain, const SolverEntry& solver,
+void add_certificate(RunResult& r, const Task& task, const Rays& domain, const SolverEntry& solver,
                      SolverOptions options) {
   r.certificate = certify(task.problem, domain, task.mass, task.device, {.gap = r.config.certify});
   const double f = r.outcome.objective;
@@ -105,6 +140,43 @@ void add_certificate(RunResult& r, const Task& task, const Columns& domain, cons
   r.outcome = std::move(again);
 }
 
+/// Rounds the optimum to whole voxels. @return  the void's surface, body units
+TriangleMesh round_to_voxels(RunResult& r, const Task& task, bool fit) {
+  Rounded rounded = task.formulation.round(r.outcome.x);
+  const std::size_t moved = fit ? meet_constraints(rounded.solid, task.problem, task.mass) : 0;
+  r.rounding = cost_of(rounded, moved, task.mass, task.problem);
+  return void_surface(rounded.solid);
+}
+
+/// Meshes the void that the optimal quadric leaves. A mesh and a sum over rays sample the same shape
+/// differently; to fit, what they differ by is added to what is fixed and the problem solved again, until the
+/// mesh itself meets the constraints. @return  the void's surface, body units
+TriangleMesh mesh_cavity(RunResult& r, const Task& task, const Body& body, const SolverEntry& solver,
+                         const SolverOptions& options, bool fit) {
+  // The facets stay within a few hundredths of the wall (quadric_cavity.hpp).
+  const double cell = std::min(r.grid.h, r.wall / 2);
+  constexpr double met = 1e-6;  // a thousandth of what a verdict asks for
+  constexpr int most_corrections = 3;
+  MassModel seen = task.mass;  // the mesh's moments in place of the rays'
+  std::vector<double> x = r.outcome.x;
+  for (int corrections = 0;; ++corrections) {
+    TriangleMesh cavity = quadric_cavity(body, r.wall, Moments(x.data()), cell);
+    // Its normals point into the void, so its volume counts as less than nothing.
+    const Moments whole = body.solid + task.mass.contrast * reference::mesh_moments(cavity).value;
+    r.rounding = {};
+    r.rounding.moments = whole;
+    r.rounding.objective = task.problem.value(whole);
+    r.rounding.violation = violation(task.problem, whole);
+    r.rounding.corrections = corrections;
+    if (!fit || r.rounding.violation <= met || corrections == most_corrections) return cavity;
+    stop_if_interrupted();
+    seen.fixed += whole - seen.total(task.formulation.moments(x));
+    const Outcome again = solve(solver, {task.problem, task.formulation, seen, task.device}, options);
+    if (again.termination != Termination::optimal) return cavity;
+    x = again.x;
+  }
+}
+
 }  // namespace
 
 RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progress& progress) {
@@ -114,6 +186,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   // What needs no work is checked first, so that a typing error costs no time.
   const ProblemEntry& asked = find_problem(config.problem);
   const FormulationEntry& way = find_formulation(config.formulation);
+  (void)domain_of(config);
   const SolverEntry& solver = find_solver(solver_of(config), way.name);
   SolverOptions options = parse_solver_options(settings_of(config, "solver"));
   options.own = settings_of(config, solver.name);
@@ -127,11 +200,12 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   const Body body = make_body(spec, device);
   stop_if_interrupted();
   const std::unique_ptr<Problem> problem = asked.make(settings_of(config, "problem"), body);
-  const Columns domain = make_columns(body, config.grid, config.wall);
+  const Domain domain(config, body);
   stop_if_interrupted();
-  const MassModel mass = hollowed(body, domain.interior);
+  const MassModel mass = hollowed(body, domain.interior());
   const std::unique_ptr<Formulation> formulation =
-      way.make(domain, problem->traits(), settings_of(config, "formulation"), device);
+      domain.exact ? make_quadric(domain.rays(), settings_of(config, "formulation"), device)
+                   : way.make(*domain.columns, problem->traits(), settings_of(config, "formulation"), device);
   formulation->warm_up();
   stop_if_interrupted();
   const double setup_seconds = setup.seconds();
@@ -151,13 +225,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   r.mass_unit_grams = r.solid_mass_grams = body.mass_grams();
   r.solid = body.solid;
   r.fixed = mass.fixed;
-  r.interior = domain.interior;
-  r.grid = domain.grid;
-  r.wall = domain.wall;
-  r.intervals = domain.intervals;
-  r.rays = domain.intervals.size();
-  r.inside_voxels = domain.inside_voxels;
-  r.interior_voxels = domain.interior_voxels;
+  domain.describe(r);
   r.solid_objective = problem->value(body.solid);
   r.scope = problem->scope(mass);
   r.variables = formulation->num_variables();
@@ -180,18 +248,17 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
 
   if (config.certify > 0) {
     tell("certify");
-    add_certificate(r, {*problem, *formulation, mass, device}, domain, solver, options);
+    add_certificate(r, {*problem, *formulation, mass, device}, domain.rays(), solver, options);
     stop_if_interrupted();
   }
 
   tell("round, extract, verify");
-  Rounded rounded = formulation->round(r.outcome.x);
   // What cannot be met at all need not be fitted.
   const bool fit = config.rounding == Rounding::fitted && r.outcome.termination != Termination::infeasible;
-  const std::size_t moved = fit ? meet_constraints(rounded.solid, *problem, mass) : 0;
-  r.rounding = cost_of(rounded, moved, mass, *problem);
+  const Task task{*problem, *formulation, mass, device};
   output.outer = body.mesh;
-  output.cavity = to_model(body.frame, void_surface(rounded.solid));
+  output.cavity = to_model(body.frame, domain.exact ? mesh_cavity(r, task, body, solver, options, fit)
+                                                    : round_to_voxels(r, task, fit));
   r.verified = write_and_verify(output, body, *problem, mesh_file);
   return output;
 }

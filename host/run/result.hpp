@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "body/frame.hpp"
+#include "domain/exact.hpp"
 #include "run/config.hpp"
 #include "run/provenance.hpp"
 #include "solve/certificate.hpp"
@@ -18,13 +19,14 @@ struct Seconds {
   double setup = 0, kernels = 0, solve = 0, total = 0;
 };
 
-/// What rounding to whole voxels gave, and what it cost. Body units.
+/// What rounding to whole voxels, or meshing a smooth cavity, gave, and what it cost. Body units.
 struct RoundingCost {
   double objective = 0;               ///< after rounding
   double violation = 0;               ///< largest, after rounding
   Moments moments = Moments::Zero();  ///< totals
   std::size_t solid_voxels = 0, void_voxels = 0, mended_voxels = 0;
   std::size_t moved_voxels = 0;  ///< to meet the constraints
+  int corrections = 0;           ///< of a smooth cavity's quadric, to meet them
 };
 
 /// The written part, judged from the file that was written.
@@ -52,11 +54,14 @@ struct RunResult {
   Moments solid = Moments::Zero();     ///< body units
   Moments fixed = Moments::Zero();     ///< shell, body units
   Moments interior = Moments::Zero();  ///< whole domain at unit density, body units
+  std::string domain = "columns";      ///< or exact
   Grid grid;
   double wall = 0;                  ///< body units
-  std::vector<Interval> intervals;  ///< of the domain, in the order of the variables
-  std::size_t rays = 0, inside_voxels = 0, interior_voxels = 0;
-  double solid_objective = 0;  ///< f of the solid body, before anything is hollowed
+  std::vector<Interval> intervals;  ///< of columns, in the order of the variables
+  std::vector<ExactInterval> exact_intervals;
+  std::size_t rays = 0;
+  std::size_t inside_voxels = 0, interior_voxels = 0;  ///< of columns
+  double solid_objective = 0;                          ///< f of the solid body, before anything is hollowed
 
   std::size_t variables = 0;
   std::string scope;                       ///< Problem::scope()

@@ -82,14 +82,14 @@ std::string_view to_string(Certificate::Kind kind) {
   return "infeasible";
 }
 
-Certificate certify(const Problem& problem, const Columns& domain, const MassModel& mass,
-                    device::Device& device, const CertifyOptions& options) {
+Certificate certify(const Problem& problem, const Rays& domain, const MassModel& mass, device::Device& device,
+                    const CertifyOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const auto spent = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  const std::unique_ptr<Formulation> quadric = make_quadric(domain, problem.traits(), {}, device);
-  const SafeSupport support(rays_of(domain), mass);
+  const std::unique_ptr<Formulation> quadric = make_quadric(domain, {}, device);
+  const SafeSupport support(domain, mass);
   const Task task{problem, *quadric, mass, device};
   const Outcome outcome = solve(find_solver("moment", "quadric"), task, {});
   stop_if_interrupted();

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formulation/quadric_moments.hpp"
 #include "solve/dual.hpp"
 #include "solve/solver.hpp"
 #include "solve/spin_box.hpp"
@@ -49,12 +50,12 @@ struct Certificate {
 
 [[nodiscard]] std::string_view to_string(Certificate::Kind kind);
 
-/// Bounds the problem over the domain: whatever formulation described an interior of its columns, its moments
+/// Bounds the problem over a domain (rays_of): whatever formulation described an interior of it, its moments
 /// are among those bounded. Solves the problem by the moment solver first, so its own best is a result as
 /// good as any.
 ///
 /// @throws Interrupted
-[[nodiscard]] Certificate certify(const Problem& problem, const Columns& domain, const MassModel& mass,
+[[nodiscard]] Certificate certify(const Problem& problem, const Rays& domain, const MassModel& mass,
                                   device::Device& device, const CertifyOptions& options);
 
 }  // namespace kreisel

@@ -26,7 +26,7 @@ struct Case {
     mass = hollowed(body, domain.interior);
   }
   [[nodiscard]] Certificate certified(const Problem& problem, const CertifyOptions& options = {}) const {
-    return certify(problem, domain, mass, test_device(), options);
+    return certify(problem, rays_of(domain), mass, test_device(), options);
   }
   Body body;
   Columns domain;
@@ -117,7 +117,7 @@ TEST(Certificate, OfAFloatingBoxIsItsOptimum) {
   const double bottom = BoxDomain::base, fill = 0.65;
   const double total = mass.fixed[S1] + mass.contrast * BoxDomain::area * fill;
   const Float problem({{0.5, 1, Vec3(0, 0, 0.3), 1, 1}, total, 1, 1});
-  const Certificate c = certify(problem, BoxDomain::columns(), mass, test_device(), {});
+  const Certificate c = certify(problem, rays_of(BoxDomain::columns()), mass, test_device(), {});
   const double want = (mass.fixed[SZ] + mass.contrast * BoxDomain::area * fill * (bottom + fill / 2)) / total;
   EXPECT_EQ(c.kind, Certificate::Kind::linear);
   EXPECT_TRUE(c.reached);
@@ -132,12 +132,13 @@ TEST(Certificate, OfAStandingBoxIsItsOptimum) {
   const double p = m / a - bottom;
   const double want = -p + std::sqrt(p * p - bottom * bottom + 2 * mass.fixed[SZ] / a);
   for (const auto& problem : {Stand(base, std::nullopt), Stand(base, 0.05)}) {
-    const Certificate c = certify(problem, BoxDomain::columns(), mass, test_device(), {});
+    const Certificate c = certify(problem, rays_of(BoxDomain::columns()), mass, test_device(), {});
     EXPECT_EQ(c.kind, Certificate::Kind::ratio);
     EXPECT_LE(c.bound, want + 1e-15);
     EXPECT_NEAR(c.bound, want, 1e-11);
   }
-  const Certificate tilt = certify(MaxTilt(base, 0.3 / 0.7), BoxDomain::columns(), mass, test_device(), {});
+  const Certificate tilt =
+      certify(MaxTilt(base, 0.3 / 0.7), rays_of(BoxDomain::columns()), mass, test_device(), {});
   EXPECT_LE(tilt.bound, -0.3 / want + 1e-15);
   EXPECT_NEAR(tilt.bound, -0.3 / want, 1e-6);  // where its steps end
 }
@@ -156,7 +157,7 @@ TEST(Certificate, OfWhatCannotBeMetSeparates) {
 TEST(Certificate, OfWhatCannotStandBoundsItsTilt) {
   const MassModel mass{0.5 * box_moments({1, 0, 0.7}, {1, 1, 1}), 0.75};
   const Base base{hull_of({{-0.3, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {-0.3, 0.3}}), 0, 1.25};
-  const Certificate c = certify(MaxTilt(base, 0), BoxDomain::columns(), mass, test_device(), {});
+  const Certificate c = certify(MaxTilt(base, 0), rays_of(BoxDomain::columns()), mass, test_device(), {});
   EXPECT_EQ(c.kind, Certificate::Kind::ratio);
   EXPECT_GT(c.bound, 0);
   EXPECT_LE(c.bound, c.best);

@@ -44,9 +44,10 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
       size[0], size[1], size[2], r.solid_mass_grams, r.axis[0], r.axis[1], r.axis[2], r.contact[0],
       r.contact[1], r.contact[2]);
   for (const std::string& line : r.repairs) fmt::print("  repaired   {}\n", line);
-  fmt::print("  domain     columns {} x {} x {} of {:.4g} mm, wall {} = {:.4g} mm: {} rays, {} voxels\n",
+  fmt::print("  domain     {} {} x {} x {} of {:.4g} mm, wall {} = {:.4g} mm: {} rays{}\n", r.domain,
              r.grid.n[0], r.grid.n[1], r.grid.n[2], r.grid.h * r.length_mm, to_string(r.config.wall),
-             r.wall * r.length_mm, r.rays, r.interior_voxels);
+             r.wall * r.length_mm, r.rays,
+             r.domain == "exact" ? "" : fmt::format(", {} voxels", r.interior_voxels));
   if (!r.scope.empty()) fmt::print("  possible   {}\n", r.scope);
   fmt::print("  solve      {} ({}), {} iterations, {} variables\n", to_string(o.termination), o.message,
              o.iterations, r.variables);
@@ -56,11 +57,16 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
   if (r.certificate) print_certificate(r);
   fmt::print("  objective  {:.6f} (the solid body: {:.6f}); violation {:.1e}\n", o.objective,
              r.solid_objective, o.violation);
-  fmt::print(
-      "  rounded    {:.6f}; violation {:.1e}; {} of {} voxels void, {} filled to keep the surface a "
-      "manifold, {} moved to meet the constraints\n",
-      r.rounding.objective, r.rounding.violation, r.rounding.void_voxels, r.interior_voxels,
-      r.rounding.mended_voxels, r.rounding.moved_voxels);
+  if (r.domain == "exact")
+    fmt::print("  meshed     {:.6f}; violation {:.1e}; a smooth cavity of {} triangles, {} correction{}\n",
+               r.rounding.objective, r.rounding.violation, r.verified.void_triangles, r.rounding.corrections,
+               r.rounding.corrections == 1 ? "" : "s");
+  else
+    fmt::print(
+        "  rounded    {:.6f}; violation {:.1e}; {} of {} voxels void, {} filled to keep the surface a "
+        "manifold, {} moved to meet the constraints\n",
+        r.rounding.objective, r.rounding.violation, r.rounding.void_voxels, r.interior_voxels,
+        r.rounding.mended_voxels, r.rounding.moved_voxels);
   fmt::print("  part       {:.4g} g, centre of mass {:.3f},{:.3f},{:.3f} mm in the body frame\n",
              r.rounding.moments[S1] * r.mass_unit_grams, c[0], c[1], c[2]);
   fmt::print("  verified   {}\n", r.verified.verdict.text);
