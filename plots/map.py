@@ -132,7 +132,9 @@ def figure(found):
                                   squeeze=False)
     _, label, words, name, more = DRAWN[found["problem"]]
     colours = plt.get_cmap(name)
-    values = found["shown"][found["feasible"] == 1]
+    values = found["shown"][found["ok"] == 1]  # pale colours may saturate
+    if not len(values):
+        values = found["shown"][found["feasible"] == 1]
     # A few extreme axes, such as those of flat slivers, would take all colours from the rest.
     low, high = np.percentile(values, [0, 95] if not more else [5, 100]) if len(values) else (0, 1)
     norm = plt.Normalize(low, high if high > low else low + 1, clip=True)
@@ -153,10 +155,10 @@ def figure(found):
                               extend="min" if more else "max")
         bar.set_label(label)
         bar.outline.set_visible(False)
-    handles = [Patch(facecolor=colours(0.6), label=f"feasible, {words}"),
-               Patch(facecolor=colours(0.6), alpha=0.35, label=f"feasible, yet not one that {words}"),
+    handles = [Patch(facecolor=colours(0.6), label=words),
+               Patch(facecolor=colours(0.6), alpha=0.35, label=f"feasible, yet does not {words[:-1]}"),
                Patch(facecolor=FAR, edgecolor="#d1d5db", hatch="////", linewidth=0,
-                     label="infeasible (darker: missed by more)")]
+                     label="infeasible (darker: farther off)")]
     if (found["feasible"] == -1).any():
         handles.append(Patch(facecolor=UNDECIDED, edgecolor=style.QUIET, linewidth=0.5, label="undecided"))
     if found["best_axis"] >= 0:

@@ -189,21 +189,22 @@ TEST_F(Map, OfABargeFloatsOnEverySideAsTheBookSays) {
 }
 
 TEST_F(Map, OfAFloatingBodyAgreesWithRunsWhoseGridIsTurned) {
-  RunConfig config = box({40, 24, 16});
+  RunConfig config = box({40, 30, 24});
+  config.grid.resolution = 48;
   config.problem = "float";
   config.body.density = 0.8;
   const OrientationMap map =
-      map_orientations({config, {{0.3, 0.1, 1}, {0.2, 1, -0.4}, {-1, 0.2, 0.3}}, {"80%"}});
+      map_orientations({config, {{0.3, 0.1, 1}, {0.2, 1, -0.4}, {-1, 0.2, 0.3}}, {"60%"}});
   for (std::size_t a = 0; a < 3; ++a) {
     RunConfig turned = config;
     turned.body.up = map.axes[a];
     turned.body.contact = map.contacts[a];
-    turned.settings["problem.draft"] = "80%";
+    turned.settings["problem.draft"] = "60%";
     const RunResult plain = run(turned).result;
     ASSERT_EQ(plain.outcome.termination, Termination::optimal) << a;
     ASSERT_EQ(map.at(a, 0).status, MapAnswer::feasible) << a;
-    // Grids differ in the cells they take in, see above.
-    EXPECT_NEAR(map.at(a, 0).objective, plain.outcome.objective, 0.02 * plain.outcome.objective) << a;
+    // Faces along a grid gain or lose up to half a cell each, both ends together 1/48 of the length.
+    EXPECT_NEAR(map.at(a, 0).objective, plain.outcome.objective, plain.outcome.objective / 48) << a;
   }
 }
 

@@ -26,9 +26,11 @@ void print_map(const OrientationMap& map) {
   fmt::print("  domain     columns {} x {} x {} of {:.4g} mm, wall {} = {:.4g} mm: {} rays, {} voxels\n",
              map.grid.n[0], map.grid.n[1], map.grid.n[2], map.grid.h * map.length_mm,
              to_string(map.config.wall), map.wall * map.length_mm, map.rays, map.interior_voxels);
-  fmt::print("  axes       {} through the {}{}\n", n,
-             map.through == Through::centre ? "solid's centre of mass, on a peg" : "lowest point",
-             n < map.asked ? fmt::format(" of {}, interrupted", map.asked) : "");
+  const char* through = !spins                           ? ""
+                        : map.through == Through::centre ? " through the solid's centre of mass, on a peg"
+                                                         : " through the lowest point";
+  fmt::print("  axes       {}{}{}\n", n, n < map.asked ? fmt::format(" of {}, interrupted", map.asked) : "",
+             through);
   fmt::print("  time       {:.3f} s sweep, {:.3f} s set-up\n", map.sweep_seconds, map.setup_seconds);
   for (std::size_t c = 0; c < map.cases.size(); ++c) {
     const std::size_t undecided = map.count(c, MapAnswer::undecided);
