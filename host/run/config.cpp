@@ -20,7 +20,7 @@
 namespace kreisel {
 namespace {
 
-constexpr std::array<std::string_view, 4> groups = {"ipopt", "problem", "formulation", "solver"};
+constexpr std::array<std::string_view, 5> groups = {"ipopt", "moment", "problem", "formulation", "solver"};
 
 [[noreturn]] void refuse(std::string_view key, std::string_view value, std::string_view expected) {
   throw InputError(fmt::format("{} = '{}'; expected {}", key, value, expected));
@@ -156,7 +156,7 @@ bool is_field(std::string_view key) { return is_setting(key) || setters().contai
 std::vector<std::string_view> field_names() {
   std::vector<std::string_view> names;
   for (const auto& [name, setter] : setters()) names.push_back(name);
-  names.insert(names.end(), {"ipopt.NAME", "problem.NAME", "formulation.NAME", "solver.NAME"});
+  names.insert(names.end(), {"ipopt.NAME", "moment.NAME", "problem.NAME", "formulation.NAME", "solver.NAME"});
   return names;
 }
 

@@ -75,7 +75,7 @@ void add_run_options(CLI::App& app, Parsed& parsed) {
   for (const auto& [name, setting, help] : problem_settings)
     add_field(app, parsed, fmt::format("--{}", name), setting, help);
   app.add_option("--set", parsed.settings,
-                 "GROUP.NAME=VALUE; groups: ipopt (any of its options), problem, formulation, solver")
+                 "GROUP.NAME=VALUE; groups: ipopt (any of its options), moment, problem, formulation, solver")
       ->allow_extra_args(false)
       ->type_name("GROUP.NAME=VALUE");
   app.add_option_function<std::string>(
