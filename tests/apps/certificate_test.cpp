@@ -111,6 +111,13 @@ TEST_F(Certified, WhatWasTamperedWithFails) {
   }
 }
 
+TEST_F(Certified, ARandomStartIsAnOption) {
+  const std::string common = "--model ellipsoid --resolution 40 --formulation quadric --solver moment ";
+  const double f = run(common).at("objective").get<double>();
+  EXPECT_NEAR(run(common + "--set moment.seed=7").at("objective").get<double>(), f, 1e-9);
+  EXPECT_EQ(bench(common + "--set moment.seed=-1").code, 2);
+}
+
 TEST_F(Certified, AGapThatIsNoneIsRefused) {
   for (const char* text : {"0", "2", "-1", "none"}) {
     const BenchAnswer answer = bench(fmt::format("--certify={}", text));
