@@ -109,6 +109,7 @@ json to_json(const RunResult& r) {
       {"message", o.message},
       {"scope", r.scope},
       {"infeasibility", r.infeasibility},
+      {"remedies", r.remedies},
       {"steps", o.steps},
       {"solver_settings", o.settings},
       {"objective", o.objective},

@@ -118,6 +118,7 @@ void write_solve(Group group, const RunResult& r) {
   group.set("message", o.message);
   group.set("scope", r.scope);
   group.set("infeasibility", r.infeasibility);
+  group.set("remedies", r.remedies);
   group.set("steps", o.steps);
   group.set("dual_infeasibility", o.dual_infeasibility);
   group.set("complementarity", o.complementarity);

@@ -18,6 +18,7 @@
 #include "formulation/meet_constraints.hpp"
 #include "formulation/quadric.hpp"
 #include "mesh/write.hpp"
+#include "run/remedies.hpp"
 #include "solve/explain.hpp"
 #include "solve/interrupt.hpp"
 
@@ -244,6 +245,8 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
     tell("look for what cannot be met");
     r.infeasibility = explain_infeasible(solver, {*problem, *formulation, mass, device}, options);
     stop_if_interrupted();  // its solves stopped early, so that what they say would be wrong
+    r.remedies = what_would_help(config, body, *problem, device, progress);
+    stop_if_interrupted();
   }
 
   if (config.certify > 0) {

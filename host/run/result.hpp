@@ -67,6 +67,7 @@ struct RunResult {
   std::string scope;                       ///< Problem::scope()
   Outcome outcome;                         ///< of the last timed solve
   std::string infeasibility;               ///< what cannot be met, when the outcome is infeasible
+  std::string remedies;                    ///< and what would help
   std::optional<Certificate> certificate;  ///< when asked for
   std::vector<Seconds> samples;            ///< every timed solve
   Seconds median;                          ///< of each column of samples

@@ -91,9 +91,7 @@ Certificate certify(const Problem& problem, const Rays& domain, const MassModel&
   const std::unique_ptr<Formulation> quadric = make_quadric(domain, {}, device);
   const SafeSupport support(domain, mass);
   const Task task{problem, *quadric, mass, device};
-  SolverOptions how;
-  if (device.single()) how.own["tolerance"] = "1e-8";  // no bound depends on it
-  const Outcome outcome = solve(find_solver("moment", "quadric"), task, how);
+  const Outcome outcome = solve(find_solver("moment", "quadric"), task, {});
   stop_if_interrupted();
 
   Certificate c;

@@ -22,8 +22,9 @@ struct MomentOptions {
   std::optional<unsigned> seed;
 };
 
-MomentOptions parse_options(const std::map<std::string, std::string>& own) {
+MomentOptions parse_options(const std::map<std::string, std::string>& own, const device::Device& device) {
   MomentOptions options;
+  if (device.single()) options.tolerance = 1e-8;  // a pass has no more digits
   for (const auto& [name, text] : own) {
     const double value = parse<double>(text).value_or(-1);
     if (name == "tolerance" && value > 0)
@@ -207,8 +208,12 @@ Phase find_stationary(const Problem& problem, TotalSupport& oracle, double toler
   return search.run(point, true, most_steps);
 }
 
+/// Multipliers this many times f's own derivatives mean that the part is shaped by the constraints, with a
+/// sliver of freedom left. [docs/quadric.md, s. 2]
+constexpr double barely_met = 1e3;
+
 Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
-  const MomentOptions own = parse_options(options.own);
+  const MomentOptions own = parse_options(options.own, task.device);
   SupportOracle& domain = *task.formulation.oracle();
   const Problem& problem = task.problem;
   Outcome outcome;
@@ -255,6 +260,10 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
     case Phase::converged:
       outcome.termination = Termination::optimal;
       outcome.message = fmt::format("converged, residual {:.1e}", state.residual);
+      if (const double size = state.multipliers.size() ? state.multipliers.cwiseAbs().maxCoeff() : 0;
+          problem.goal() == Goal::value &&
+          size > barely_met * problem.gradient(outcome.moments).cwiseAbs().maxCoeff())
+        outcome.message += fmt::format(", multipliers of {:.0e}: the constraints can barely be met", size);
       break;
     case Phase::infeasible:
       outcome.termination = Termination::infeasible;

@@ -31,7 +31,8 @@ enum class Phase { going_on, converged, infeasible, stalled, interrupted };
 /// method on its dual (dual.hpp), first on the coarse levels of the oracle; then Newton's method on the
 /// optimality conditions as a whole, to round-off. x is the quadric. [docs/quadric.md]
 ///
-/// options  solver.start is not used; `own`: tolerance = residual in body units, default 1e-13;
+/// options  solver.start is not used; `own`: tolerance = residual in body units, default 1e-13, in single
+///          precision 1e-8;
 ///          levels = how many of the oracle's levels to use, default all;
 ///          seed = start from the moments that a random quadric cuts, default from solid (or from
 ///          options.from, a quadric)

@@ -52,6 +52,7 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
   fmt::print("  solve      {} ({}), {} iterations, {} variables\n", to_string(o.termination), o.message,
              o.iterations, r.variables);
   if (!r.infeasibility.empty()) fmt::print("  infeasible {}\n", r.infeasibility);
+  if (!r.remedies.empty()) fmt::print("  would help {}\n", r.remedies);
   fmt::print("  time       {:.3f} s solve ({:.3f} s in kernels), {:.3f} s set-up; median of {}\n",
              r.median.solve, r.median.kernels, r.median.setup, r.samples.size());
   if (r.certificate) print_certificate(r);

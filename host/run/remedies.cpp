@@ -1,0 +1,112 @@
+#include "run/remedies.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "domain/exact.hpp"
+#include "error.hpp"
+#include "formulation/quadric.hpp"
+#include "solve/interrupt.hpp"
+#include "solve/solver.hpp"
+
+namespace kreisel {
+namespace {
+
+using Fits = std::function<bool(double)>;
+
+/// The value nearest to `bad`, to a percent, for which it fits; nothing when it does not even for `good`.
+std::optional<double> nearest_that_fits(double bad, double good, const Fits& fits) {
+  if (!fits(good)) return std::nullopt;
+  while (std::abs(bad - good) > 0.01 * std::max(std::abs(bad), std::abs(good))) {
+    stop_if_interrupted();
+    const double middle = (bad + good) / 2;
+    (fits(middle) ? good : bad) = middle;
+  }
+  return good;
+}
+
+class Trials {
+ public:
+  Trials(const RunConfig& config, const Body& body, const Problem& problem, device::Device& device)
+      : config_(config), body_(body), problem_(problem), device_(device) {}
+
+  /// Is there a filling that meets the constraints?
+  [[nodiscard]] bool feasible(Formulation& quadric, const MassModel& mass) const {
+    const Task task{problem_, quadric, mass, device_};
+    const Termination ending = solve(default_solver("quadric"), task, {}).termination;
+    return ending == Termination::optimal || ending == Termination::acceptable;
+  }
+  /// The exact domain of a wall in millimetres; nothing where no interior is left.
+  [[nodiscard]] std::optional<ExactColumns> domain(double wall_mm) const {
+    try {
+      return make_exact(body_, config_.grid, {wall_mm, Wall::millimetres});
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
+  }
+  [[nodiscard]] bool fits_with_wall(double wall_mm) const {
+    const auto exact = domain(wall_mm);
+    return exact && feasible(*make_quadric(rays_of(*exact), {}, device_), hollowed(body_, exact->interior));
+  }
+
+ private:
+  const RunConfig& config_;
+  const Body& body_;
+  const Problem& problem_;
+  device::Device& device_;
+};
+
+}  // namespace
+
+std::string what_would_help(const RunConfig& config, const Body& body, const Problem& problem,
+                            device::Device& device, const Progress& progress) {
+  const auto tell = [&](const std::string& step) {
+    if (progress) progress(step);
+  };
+  const Trials trials(config, body, problem, device);
+  std::vector<std::string> help;
+
+  tell("try thinner walls");
+  const double wall =
+      in_body_units(config.wall, body, make_grid(bounding_box(body.local), config.grid)) * body.frame.length;
+  constexpr double thinnest = 0.02;  // of the wall asked for; nobody prints less
+  if (const auto mm =
+          nearest_that_fits(wall, thinnest * wall, [&](double w) { return trials.fits_with_wall(w); }))
+    help.push_back(fmt::format("a wall of {:.3g} mm or less (now {:.3g})", *mm, wall));
+
+  const auto exact = trials.domain(wall);
+  if (!exact) return help.empty() ? "there is no interior" : help.front();
+  const std::unique_ptr<Formulation> quadric = make_quadric(rays_of(*exact), {}, device);
+  if (body.void_density > 0) {
+    tell("try lighter voids");
+    const auto density = nearest_that_fits(body.void_density, 0, [&](double d) {
+      Body lighter = body;
+      lighter.void_density = d;
+      return trials.feasible(*quadric, hollowed(lighter, exact->interior));
+    });
+    if (density)
+      help.push_back(fmt::format("voids of {:.3g} g/cm^3 or less (now {:.3g})", *density, body.void_density));
+  }
+  tell("try heavier interiors");
+  constexpr double tungsten = 19.3;  // g/cm^3: denser is not to be had
+  const auto density = nearest_that_fits(body.density, tungsten, [&](double d) {
+    return trials.feasible(*quadric, {body.solid, d / body.density - 1});
+  });
+  if (density)
+    help.push_back(
+        fmt::format("in place of voids, parts of the interior of {:.3g} g/cm^3 or more (the rest {:.3g})",
+                    *density, body.density));
+  if (help.empty())
+    return fmt::format(
+        "nothing that was tried (walls down to {:.2g} mm, voids, interiors of up to {:.3g} g/cm^3): "
+        "another axis, point or base is needed",
+        thinnest * wall, tungsten);
+  return fmt::format("{}", fmt::join(help, "; or "));
+}
+
+}  // namespace kreisel

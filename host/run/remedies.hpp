@@ -1,0 +1,20 @@
+// remedies.hpp - what would make an infeasible task feasible.
+#pragma once
+
+#include <string>
+
+#include "run/config.hpp"
+#include "run/pipeline.hpp"
+
+namespace kreisel {
+
+class Problem;
+
+/// Tries, one at a time and all else as it is: a thinner wall, lighter voids, and instead of voids an
+/// interior of a heavier material; each to about a percent, by bisection on whether the moment solver finds a
+/// filling of the exact domain that meets the constraints. One sentence, which says so where none of them
+/// helps.
+[[nodiscard]] std::string what_would_help(const RunConfig& config, const Body& body, const Problem& problem,
+                                          device::Device& device, const Progress& progress);
+
+}  // namespace kreisel
