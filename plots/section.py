@@ -16,7 +16,7 @@ from style import plt
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("record", help="HDF5 record of a run (ray-rep or voxel)")
+    parser.add_argument("record", help="HDF5 record of a run")
     parser.add_argument("-o", "--output", default="section.png", help="PNG to write (default %(default)s)")
     parser.add_argument("--row", type=int, help="row of cells along y to cut (default: the middle one)")
     return parser.parse_args()
@@ -44,7 +44,9 @@ class Slab:
         self.picked = np.flatnonzero(domain["intervals"][:, 1] == row)
         self.cells = domain["intervals"][self.picked]
         self.x = self.corner[0] + (self.cells[:, 0] + 0.5) * self.cell
-        self.low, self.high = (self.corner[2] + self.cells[:, k] * self.cell for k in (2, 3))
+        exact = domain["kind"] == "exact"  # heights in body lengths; else faces of cells
+        self.low, self.high = (self.cells[:, k] * self.mm if exact else self.corner[2] + self.cells[:, k] * self.cell
+                               for k in (2, 3))
         self.y = self.corner[1] + (row + 0.5) * self.cell
 
     def segments(self):
@@ -53,6 +55,21 @@ class Slab:
         rays = len(self.run["domain"]["intervals"])
         ends = x.reshape(rays, -1)[self.picked]
         return (self.low if ends.shape[1] == 1 else ends[:, 0]), ends[:, -1]
+
+    def cut_by_quadric(self):
+        """Quadric: pieces of the rays where it is negative, as (ray, from, to)."""
+        q, h = self.run["solve"]["x"], self.cell / self.mm
+        x, y = self.x / self.mm, self.y / self.mm
+        c = q[0] + q[1] * x + q[2] * y + q[4] * x * y + q[7] * (x * x + h * h / 12) + q[8] * (y * y + h * h / 12)
+        b = q[3] + q[5] * y + q[6] * x
+        for ray, (low, high) in enumerate(zip(self.low / self.mm, self.high / self.mm)):
+            roots = np.roots(np.trim_zeros([q[9], b[ray], c[ray]], "f"))
+            inside = [z.real for z in roots if abs(z.imag) == 0 and low < z.real < high]
+            ends = [low, *sorted(inside), high]
+            for z0, z1 in zip(ends, ends[1:]):
+                middle = (z0 + z1) / 2
+                if c[ray] + middle * (b[ray] + middle * q[9]) < 0:
+                    yield ray, z0 * self.mm, z1 * self.mm
 
     def fills(self):
         """Voxel: the fill of every cell of the plane, [nz, nx]; NaN outside the domain."""
@@ -95,12 +112,16 @@ def outline(run, y):
 
 
 def draw_interior(axes, slab):
-    if slab.run["formulation"] == "rayrep":
+    if slab.run["formulation"] != "voxel":
         # Neighbouring bars overlap by a hair, else the seams between them shine through.
         width = slab.cell * 1.03
         axes.bar(slab.x, slab.high - slab.low, width, slab.low, color=style.VOID, linewidth=0)
-        low, high = slab.segments()
-        axes.bar(slab.x, high - low, width, low, color=style.SOLID, linewidth=0)
+        if slab.run["formulation"] == "rayrep":
+            x, (low, high) = slab.x, slab.segments()
+        else:
+            ray, low, high = np.array([*slab.cut_by_quadric()]).reshape(-1, 3).T
+            x = slab.x[ray.astype(int)]
+        axes.bar(x, high - low, width, low, color=style.SOLID, linewidth=0)
         return
     plane = slab.fills()
     left, bottom = slab.corner[0], slab.corner[2]
@@ -155,9 +176,10 @@ def draw(run, slab):
     marks, _ = axes.get_legend_handles_labels()
     axes.legend(handles=handles + marks, loc="upper left", bbox_to_anchor=(1.01, 1), fontsize=8)
     hessian = run["config"].get("ipopt.hessian_approximation", "exact")
+    how = f"{run['solver']}, Hessian {hessian}" if run["solver"] == "ipopt" else run["solver"]
     shell = "the shell is not drawn" if lines is None else "lines: surfaces of the written part"
     note = (f"Cut at y = {slab.y:.3g} mm; {shell}; centres of mass are projected onto the "
-            f"plane. {run['solver']}, Hessian {hessian}. Verified part: {run['verified']['text']}. "
+            f"plane. {how}. Verified part: {run['verified']['text']}. "
             f"{records.provenance_line([run])}.")
     style.caption(figure, note)
     return figure
@@ -169,8 +191,8 @@ def main():
     if "error" in run:
         reason = run["error"].partition("\n")[0]
         raise records.BadRecord(f"{args.record}: a failed run ({reason}), expected a result")
-    if run["formulation"] not in ("rayrep", "voxel") or len(run["domain"]["intervals"]) == 0:
-        raise records.BadRecord(f"{args.record}: no interior to cut, expected a ray-rep or voxel run")
+    if run["formulation"] not in ("rayrep", "voxel", "quadric") or len(run["domain"]["intervals"]) == 0:
+        raise records.BadRecord(f"{args.record}: no interior to cut, expected a ray-rep, voxel or quadric run")
     records.save(draw(run, Slab(run, row_to_cut(run, args.row))), args.output)
     print(args.output)
 
