@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "domain/test_bodies.hpp"
 #include "error.hpp"
+#include "problem/balance.hpp"
 #include "problem/spin.hpp"
 #include "problem/stand.hpp"
 #include "solve/dual.hpp"
@@ -55,7 +57,7 @@ TEST(MomentSolver, EndsWhereTheQuadricIsThatOfItsMultipliers) {
   const Body body = leaning_box();
   const Columns domain = columns_of(body, 24);
   const MassModel mass = hollowed(body, domain.interior);
-  for (const double lambda : {0.0, 1.0, 100.0}) {
+  for (const double lambda : {0.0, 1.0, 100.0, 1e6}) {
     SpinOptions options;
     options.lambda = lambda;
     const Spin problem(options);
@@ -135,6 +137,59 @@ TEST(MomentSolver, SaysOfOneRayThatItCannotBalance) {
                                 {domain.grid.h, domain.grid.h, (run.k1 - run.k0) * domain.grid.h});
   const MassModel mass = hollowed(leaning_box(), domain.interior);
   EXPECT_EQ(solve_on(domain, Spin({}), mass).outcome.termination, Termination::infeasible);
+}
+
+TEST(MomentSolver, TakesAThinPlate) {
+  // One layer of cells is left between the walls.
+  const Body body = body_of(box_mesh({-1.0, -0.9, 0}, {1.3, 1.0, 0.23}));
+  const Columns domain = columns_of(body, 40);
+  int thickest = 0;
+  for (const Interval& run : domain.intervals) thickest = std::max(thickest, run.k1 - run.k0);
+  ASSERT_EQ(thickest, 2);
+  const MassModel mass = hollowed(body, domain.interior);
+  const Outcome outcome = solve_on(domain, Spin({}), mass).outcome;
+  ASSERT_EQ(outcome.termination, Termination::optimal) << outcome.message;
+  EXPECT_LE(outcome.violation, 1e-12);
+}
+
+TEST(MomentSolver, TakesSeveralPieces) {
+  // Two boxes side by side on either side of the axis, one larger: material has to leave that one.
+  TriangleMesh both = box_mesh({-1.0, -0.3, 0.1}, {-0.3, 0.35, 0.8});
+  const TriangleMesh other = box_mesh({0.3, -0.35, 0.1}, {1.1, 0.3, 0.9});
+  const auto offset = static_cast<std::uint32_t>(both.vertices.size());
+  both.vertices.insert(both.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const auto& [a, b, c] : other.triangles)
+    both.triangles.push_back({a + offset, b + offset, c + offset});
+  const Body body = body_of(both);
+  const Columns domain = columns_of(body, 40);
+  const MassModel mass = hollowed(body, domain.interior);
+  const Outcome outcome = solve_on(domain, Spin({}), mass).outcome;
+  ASSERT_EQ(outcome.termination, Termination::optimal) << outcome.message;
+  EXPECT_LE(outcome.violation, 1e-12);
+  EXPECT_LE(outcome.objective, solve_on(domain, Spin({}), mass, "rayrep").outcome.objective + 1e-6);
+}
+
+TEST(MomentSolver, SaysWhenTheConstraintsCanBarelyBeMet) {
+  // The centre of mass of the box at the greatest height that a void below a plane lifts it to, less a hair:
+  // the multiplier grows without limit towards it.
+  const Body body = body_of(box_mesh({-0.5, -0.5, 0}, {0.5, 0.5, 1}));
+  const Columns domain = columns_of(body, 20);
+  const MassModel mass = hollowed(body, domain.interior);
+  const auto quadric = make_formulation("quadric", domain, {}, {}, test_device());
+  TotalSupport total(*quadric->oracle(), mass, 0);
+  // max sz / s1: the fixed point of filling everything above it.
+  double highest = 0.5;
+  for (int i = 0; i < 100; ++i) {
+    const Moments s = total(highest * Moments::Unit(S1) - Moments::Unit(SZ), false).moments;
+    highest = s[SZ] / s[S1];
+  }
+  const auto at = [&](double z) { return solve_on(domain, Balance({0, 0, z}, Vec3(1, 0, 0)), mass).outcome; };
+  const Outcome barely = at(highest - 1e-10), easily = at(highest - 1e-2);
+  ASSERT_EQ(easily.termination, Termination::optimal) << easily.message;
+  EXPECT_EQ(easily.message.find("barely"), std::string::npos) << easily.message;
+  ASSERT_EQ(barely.termination, Termination::optimal) << barely.message;
+  EXPECT_NE(barely.message.find("the constraints can barely be met"), std::string::npos) << barely.message;
+  EXPECT_EQ(at(highest + 1e-6).termination, Termination::infeasible);
 }
 
 TEST(MomentSolver, RefusesWhatItDoesNotKnow) {
