@@ -39,7 +39,8 @@ const std::vector<FormulationEntry>& formulations() {
   static const std::vector<FormulationEntry> all = {
       {"voxel", "one fill in [0,1] an interior voxel", make_voxel},
       {"rayrep", "one solid segment [z0,z1] a ray [RayRep, s. 2-3]", make_rayrep},
-      {"quadric", "solid where a quadric is negative: ten coefficients, exact at the optimum (docs/quadric.md)",
+      {"quadric",
+       "solid where a quadric is negative: ten coefficients, exact at the optimum (docs/quadric.md)",
        make_quadric},
   };
   return all;
