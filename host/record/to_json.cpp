@@ -101,7 +101,7 @@ json to_json(const RunResult& r) {
       {"repairs", r.repairs},
       {"problem", r.config.problem},
       {"formulation", r.config.formulation},
-      {"solver", r.config.solver},
+      {"solver", solver_of(r.config)},
       {"grid", r.grid.n},
       {"variables", r.variables},
       {"iterations", o.iterations},

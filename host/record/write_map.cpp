@@ -62,13 +62,12 @@ void write_values(Group group, const OrientationMap& map) {
 }
 
 void write_domain(Group group, const OrientationMap& map) {
-  group.set("kind", "columns");
+  group.set("kind", map.domain);
   group.set("wall", map.wall);
   group.set("wall_units", "L");
   group.set("spacing", map.grid.h);
   group.set("spacing_units", "L");
   group.set("rays", map.rays);
-  group.set("interior_voxels", map.interior_voxels);
   group.set("length", map.length_mm);
   group.set("length_units", "mm");
   group.write("grid", map.grid.n, {3}, {"cells", {"x", "y", "z"}});
@@ -158,7 +157,7 @@ json to_json(const OrientationMap& map) {
                     {"solver", map.config.solver},
                     {"grid", map.grid.n},
                     {"rays", map.rays},
-                    {"interior_voxels", map.interior_voxels},
+                    {"domain", map.domain},
                     {"through", map.through == Through::centre ? "centre" : "lowest"},
                     {"axes_asked", map.asked},
                     {"termination", map.axes.size() == map.asked ? "complete" : "interrupted"},

@@ -40,7 +40,7 @@ void write_root(Group& root, const RunConfig& config, const std::string& model) 
   root.set("model", model);
   root.set("problem", config.problem);
   root.set("formulation", config.formulation);
-  root.set("solver", config.solver);
+  root.set("solver", solver_of(config));
 }
 
 void write_body(Group group, const RunResult& r) {

@@ -12,6 +12,7 @@
 
 #include "error.hpp"
 #include "problem/turned.hpp"
+#include "run/run_domain.hpp"
 #include "solve/distance_to_rows.hpp"
 #include "solve/interrupt.hpp"
 
@@ -192,11 +193,12 @@ OrientationMap map_orientations(const MapSpec& spec, const Progress& progress) {
   body_spec.stands_upright = asked.upright;
   const Body body = make_body(body_spec, device);
   stop_if_interrupted();
-  const Columns domain = make_columns(body, map.config.grid, map.config.wall);
+  const RunDomain domain(map.config, body);
   stop_if_interrupted();
-  const MassModel mass = hollowed(body, domain.interior);
+  const Rays rays = domain.rays();
+  const MassModel mass = hollowed(body, domain.interior());
   const std::unique_ptr<Formulation> formulation =
-      make_formulation(map.config.formulation, domain, {}, settings_of(map.config, "formulation"), device);
+      make_quadric(rays, settings_of(map.config, "formulation"), device);
   formulation->warm_up();
   stop_if_interrupted();
 
@@ -205,10 +207,10 @@ OrientationMap map_orientations(const MapSpec& spec, const Progress& progress) {
   map.length_mm = body.frame.length;
   map.mass_unit_grams = body.mass_grams();
   map.frame = body.frame;
-  map.grid = domain.grid;
-  map.wall = domain.wall;
-  map.rays = domain.intervals.size();
-  map.interior_voxels = domain.interior_voxels;
+  map.domain = domain.kind();
+  map.grid = domain.grid();
+  map.wall = domain.wall();
+  map.rays = rays.columns.size();
   map.setup_seconds = seconds_since(begin);
 
   const auto start = Clock::now();

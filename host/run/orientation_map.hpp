@@ -48,8 +48,9 @@ struct OrientationMap {
   double length_mm = 1, mass_unit_grams = 1;
   Frame frame;  ///< of the domain
   Grid grid;
-  double wall = 0;  ///< body units
-  std::size_t rays = 0, interior_voxels = 0;
+  double wall = 0;     ///< body units
+  std::string domain;  ///< exact or columns
+  std::size_t rays = 0;
 
   std::vector<std::string> cases;    ///< drafts of `float`; else one, without a name
   std::vector<Vec3> axes, contacts;  ///< of those answered, model coordinates (mm), in the order given

@@ -10,15 +10,14 @@
 #include <utility>
 
 #include "body/mesh_moments.hpp"
-#include "domain/exact.hpp"
 #include "error.hpp"
 #include "fabricate/quadric_cavity.hpp"
 #include "fabricate/verify.hpp"
 #include "fabricate/void_surface.hpp"
 #include "formulation/meet_constraints.hpp"
-#include "formulation/quadric.hpp"
 #include "mesh/write.hpp"
 #include "run/remedies.hpp"
+#include "run/run_domain.hpp"
 #include "solve/explain.hpp"
 #include "solve/interrupt.hpp"
 
@@ -51,36 +50,21 @@ Seconds medians(const std::vector<Seconds>& samples) {
           column(&Seconds::total)};
 }
 
-/// What of a body can be filled, as the configuration asks for it: voxels and rays, or rays alone.
-struct Domain {
-  std::optional<Columns> columns;
-  std::optional<ExactColumns> exact;
-
-  Domain(const RunConfig& config, const Body& body) {
-    if (domain_of(config) == "exact")
-      exact = make_exact(body, config.grid, config.wall);
-    else
-      columns = make_columns(body, config.grid, config.wall);
+void describe(RunResult& r, const RunDomain& domain) {
+  r.domain = domain.kind();
+  r.interior = domain.interior();
+  r.grid = domain.grid();
+  r.wall = domain.wall();
+  if (domain.exact) {
+    r.exact_intervals = domain.exact->intervals;
+    r.rays = r.exact_intervals.size();
+    return;
   }
-  [[nodiscard]] const Moments& interior() const { return exact ? exact->interior : columns->interior; }
-  [[nodiscard]] Rays rays() const { return exact ? rays_of(*exact) : rays_of(*columns); }
-
-  void describe(RunResult& r) const {
-    r.interior = interior();
-    r.grid = exact ? exact->grid : columns->grid;
-    r.wall = exact ? exact->wall : columns->wall;
-    if (exact) {
-      r.domain = "exact";
-      r.exact_intervals = exact->intervals;
-      r.rays = exact->intervals.size();
-      return;
-    }
-    r.intervals = columns->intervals;
-    r.rays = columns->intervals.size();
-    r.inside_voxels = columns->inside_voxels;
-    r.interior_voxels = columns->interior_voxels;
-  }
-};
+  r.intervals = domain.columns->intervals;
+  r.rays = r.intervals.size();
+  r.inside_voxels = domain.columns->inside_voxels;
+  r.interior_voxels = domain.columns->interior_voxels;
+}
 
 RoundingCost cost_of(const Rounded& rounded, std::size_t moved, const MassModel& mass,
                      const Problem& problem) {
@@ -201,7 +185,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   const Body body = make_body(spec, device);
   stop_if_interrupted();
   const std::unique_ptr<Problem> problem = asked.make(settings_of(config, "problem"), body);
-  const Domain domain(config, body);
+  const RunDomain domain(config, body);
   stop_if_interrupted();
   const MassModel mass = hollowed(body, domain.interior());
   const std::unique_ptr<Formulation> formulation =
@@ -226,7 +210,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   r.mass_unit_grams = r.solid_mass_grams = body.mass_grams();
   r.solid = body.solid;
   r.fixed = mass.fixed;
-  domain.describe(r);
+  describe(r, domain);
   r.solid_objective = problem->value(body.solid);
   r.scope = problem->scope(mass);
   r.variables = formulation->num_variables();

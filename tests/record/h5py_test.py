@@ -34,7 +34,7 @@ ATTRIBUTES = {
         "rays": WHOLE, "inside_voxels": WHOLE, "interior_voxels": WHOLE,
     },
     "/solve": {
-        "message": TEXT, "scope": TEXT, "infeasibility": TEXT, "steps": WHOLE, "dual_infeasibility": REAL, "complementarity": REAL, "kernel_seconds": REAL,
+        "message": TEXT, "scope": TEXT, "infeasibility": TEXT, "remedies": TEXT, "steps": WHOLE, "dual_infeasibility": REAL, "complementarity": REAL, "kernel_seconds": REAL,
         "solve_seconds": REAL, "evaluations_objective": WHOLE, "evaluations_gradient": WHOLE,
         "evaluations_constraints": WHOLE, "evaluations_jacobian": WHOLE, "evaluations_hessian": WHOLE,
         "repeat": WHOLE, "budget": REAL, "budget_units": TEXT, "x_unit_length": REAL,

@@ -23,9 +23,9 @@ void print_map(const OrientationMap& map) {
   const bool spins = map.config.problem == "spin";
   fmt::print("{}: map of {} on {}{}\n", map.body_name, map.config.problem, map.provenance.device,
              map.provenance.single_precision ? " (single precision, compensated)" : "");
-  fmt::print("  domain     columns {} x {} x {} of {:.4g} mm, wall {} = {:.4g} mm: {} rays, {} voxels\n",
+  fmt::print("  domain     {} {} x {} x {} of {:.4g} mm, wall {} = {:.4g} mm: {} rays\n", map.domain,
              map.grid.n[0], map.grid.n[1], map.grid.n[2], map.grid.h * map.length_mm,
-             to_string(map.config.wall), map.wall * map.length_mm, map.rays, map.interior_voxels);
+             to_string(map.config.wall), map.wall * map.length_mm, map.rays);
   const char* through = !spins                           ? ""
                         : map.through == Through::centre ? " through the solid's centre of mass, on a peg"
                                                          : " through the lowest point";

@@ -36,7 +36,7 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
   const Vec3 size = bounding_box(outer).extent();
   const Eigen::Vector3d c = centre_of_mass(r.rounding.moments) * r.length_mm;
   fmt::print("{}: {} by {} with {} on {}{}\n", r.body_name, r.config.problem, r.config.formulation,
-             r.config.solver, r.provenance.device,
+             solver_of(r.config), r.provenance.device,
              r.provenance.single_precision ? " (single precision, compensated)" : "");
   fmt::print(
       "  body       {:.4g} x {:.4g} x {:.4g} mm, {:.4g} g solid; axis {:.4g},{:.4g},{:.4g} through "
