@@ -35,12 +35,15 @@ def figure(found, _published=None):
             x = above(run, best)
             axes.plot(x, y, color=colour, marker=marker if good else "x", linestyle="none", markersize=7,
                       markerfacecolor=colour if kind == "midpoint" else "none", zorder=3)
-            axes.annotate(f"{x:.3g} %" + ("" if good else ", not converged"), (x, y), xytext=(0, 7),
-                          textcoords="offset points", ha="center", fontsize=7, color=colour)
+            place = dict(xytext=(0, 7), ha="center") if kind == "midpoint" else dict(xytext=(7, -2.5), ha="left")
+            axes.annotate(f"{x:.2g} %" + ("" if good else ", not converged"), (x, y), textcoords="offset points",
+                          fontsize=7, color=colour, **place)
     axes.set_yticks(range(len(rows)), [f"{best['model']} {records.grid_text(best)}" for _, best, _ in rows])
     axes.set_ylim(len(rows) - 0.4, -0.75)
     axes.set_xscale("symlog", linthresh=LEAST)
-    ticks = [0] + [10.0 ** k for k in range(-2, 4) if 10.0 ** k <= axes.get_xlim()[1]]
+    low, high = axes.get_xlim()
+    tens = [10.0 ** k for k in range(-2, 4)]
+    ticks = [-t for t in tens if -t >= low][::-1] + [0] + [t for t in tens if t <= high]
     axes.set_xticks(ticks, [f"{t:g}" for t in ticks])
     axes.minorticks_off()
     axes.axvline(0, color=style.INK, linewidth=0.8)
@@ -50,7 +53,7 @@ def figure(found, _published=None):
         axes.plot([], [], color=colour, marker=marker, linestyle="none",
                   markerfacecolor=colour if kind == "midpoint" else "none", label=f"ray-rep, {kind} bounds")
     axes.barh([0], [0], color=style.VOID, edgecolor=style.QUIET, linewidth=0.5,
-              label="where the least objective can be")
+              label="certified: the least is not below")
     used = [run for _, best, others in rows for run in (best, *others)]
     low = style.caption(fig, f"0: one quadric on the same columns. {records.provenance_line(used)}.")
     fig.legend(loc="upper right", ncols=3, fontsize=8)

@@ -80,6 +80,7 @@ def draw_panel(axes, model, ways):
             axes.annotate(int(max(run["domain"]["grid"])), (at_x, at_y), xytext=(3, 4),
                           textcoords="offset points", fontsize=6.5, color=colour)
     axes.set_xscale("log")
+    axes.ticklabel_format(axis="y", useOffset=False)
     axes.set_xlabel("seconds of the solve")
 
 

@@ -27,7 +27,7 @@ def draw_panel(axes, model, ways):
         rays = np.array([run["domain"]["rays"] for run in line], float)
         fit = exponent(line)
         axes.plot(rays, [records.seconds(run) for run in line], color=colour, marker=marker, markersize=4.5,
-                  linewidth=0 if fit else 1.0, linestyle=":", label=name)
+                  linewidth=0.8, linestyle="none" if fit else ":", label=name)
         if fit:
             ends = np.array([rays.min(), rays.max()])
             axes.plot(ends, fit[1] * ends ** fit[0], color=colour, linewidth=1.2)
