@@ -1,5 +1,9 @@
 #!/usr/bin/python3
-"""What does each formulation reach, in what time? Objective against seconds, a panel a body, a line a formulation."""
+"""What does each formulation reach, in what time? Objective above the best of the same columns against seconds.
+
+A panel a body, a line a formulation. Every grid has columns of its own, so objectives of two grids differ by more than
+those of two formulations: each is set beside the lowest on its grid.
+"""
 
 import collections
 
@@ -71,16 +75,23 @@ def finish(fig, panels, note, runs, left_out):
 
 
 def draw_panel(axes, model, ways):
+    best = {}
+    for run in (run for line in ways.values() for run in line):
+        grid = records.grid_text(run)
+        best[grid] = min(best.get(grid, run["objective"]), run["objective"])
     axes.set_title(model)
     for key, line in sorted(ways.items(), key=lambda item: list(LOOKS).index(item[0])):
         name, colour, marker = LOOKS[key]
-        x, y = [records.seconds(run) for run in line], [run["objective"] for run in line]
+        x = [records.seconds(run) for run in line]
+        y = [(run["objective"] / best[records.grid_text(run)] - 1) * 100 for run in line]
         axes.plot(x, y, color=colour, marker=marker, markersize=4.5, linewidth=1.3, label=name)
-        for run, at_x, at_y in zip(line, x, y):
-            axes.annotate(int(max(run["domain"]["grid"])), (at_x, at_y), xytext=(3, 4),
-                          textcoords="offset points", fontsize=6.5, color=colour)
+        below = key == "quadric"  # these lie at zero, close together
+        for row, (run, at_x, at_y) in enumerate(sorted(zip(line, x, y), key=lambda point: point[1])):
+            axes.annotate(int(max(run["domain"]["grid"])), (at_x, at_y), textcoords="offset points", fontsize=6.5,
+                          xytext=(0, 5 + 7 * (row % 3)) if below else (3, 4), color=colour,
+                          ha="center" if below else "left")
     axes.set_xscale("log")
-    axes.ticklabel_format(axis="y", useOffset=False)
+    axes.set_ylim(bottom=-0.04 * axes.get_ylim()[1])
     axes.set_xlabel("seconds of the solve")
 
 
@@ -89,9 +100,10 @@ def figure(found, _published=None):
     fig, panels = panels_for(len(lines))
     for axes, (model, ways) in zip(panels, lines.items()):
         draw_panel(axes, model, ways)
-    panels[0].set_ylabel("objective")
+    panels[0].set_ylabel("objective above the best of its columns, %")
     runs = [run for ways in lines.values() for line in ways.values() for run in line]
-    return finish(fig, panels, "Lower and further left is better; numbers are cells along the longest side.", runs,
+    return finish(fig, panels, "Lower and further left is better; numbers are cells along the longest side. Median seconds of the solve, "
+                  "set-up excluded.", runs,
                   left_out)
 
 
