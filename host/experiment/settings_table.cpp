@@ -21,19 +21,34 @@ struct Group {
   std::vector<const RecordedRun*> runs;
 };
 
+/// What the rows of a block differ in.
+enum class By { setting, formulation };
+
 /// What a block has in its name; the rest of a configuration is settings.
-Fields settings_of(const RecordedRun& run) {
+Fields settings_of(const RecordedRun& run, By by) {
   Fields fields = describe(run.run.config);
-  for (const char* key : {"model", "resolution", "problem", "formulation"}) fields.erase(key);
+  for (const char* key : {"model", "resolution", "problem"}) fields.erase(key);
+  // A formulation has one solver of its own; another one is written in the experiment as a setting would be.
+  if (by == By::formulation)
+    for (const char* key : {"domain", "certify"}) fields.erase(key);
+  else
+    fields.erase("formulation");
+  if (by == By::formulation && run.run.config.solver.empty()) fields.erase("solver");
   return fields;
 }
 
-std::vector<Group> groups_of(const std::vector<RecordedRun>& runs) {
+/// Only interiors of one domain can be compared, so its name stands where formulations differ.
+std::string name_of(const RunConfig& config, By by) {
+  const std::string body =
+      fmt::format("{} {}, {}", model_text(config), grid_text(config.grid), config.problem);
+  return by == By::setting ? fmt::format("{}, {}", body, config.formulation)
+                           : fmt::format("{}, domain {}", body, domain_of(config));
+}
+
+std::vector<Group> groups_of(const std::vector<RecordedRun>& runs, By by) {
   std::vector<Group> groups;
   for (const RecordedRun& run : runs) {
-    const RunConfig& config = run.run.config;
-    const std::string name = fmt::format("{} {}, {}, {}", model_text(config), grid_text(config.grid),
-                                         config.problem, config.formulation);
+    const std::string name = name_of(run.run.config, by);
     find_or_add(
         groups, [&](const Group& g) { return g.name == name; },
         [&] {
@@ -45,10 +60,10 @@ std::vector<Group> groups_of(const std::vector<RecordedRun>& runs) {
 }
 
 /// The fields that have the same value in every run.
-Fields common_fields(const Group& group) {
-  Fields common = settings_of(*group.runs.front());
+Fields common_fields(const Group& group, By by) {
+  Fields common = settings_of(*group.runs.front(), by);
   for (const RecordedRun* run : group.runs) {
-    const Fields fields = settings_of(*run);
+    const Fields fields = settings_of(*run, by);
     std::erase_if(common, [&](const auto& field) {
       const auto at = fields.find(field.first);
       return at == fields.end() || at->second != field.second;
@@ -77,27 +92,42 @@ std::optional<double> best_of(const Group& group) {
   return best;
 }
 
-Sheet empty_sheet(bool labels) {
-  return Sheet({{"model", "", ""},
-                {"grid", "", ""},
-                {"problem", "", ""},
-                {"formulation", "", ""},
-                {"label", "", labels ? "factor" : "", true},
-                {"setting", "", "setting", true},
-                {"termination", "", "termination", true},
-                {"iterations", "", "iter"},
-                {"seconds", "", "seconds"},
-                {"seconds_half_iqr", "", ""},
-                {"samples", "", ""},
-                {"seconds_over_first", "", "time x"},
-                {"variables", "", "variables"},
-                {"objective", "", "f"},
-                {"objective_above_best_percent", "", "above best, %"},
-                {"violation", "", "violation"},
-                {"verified", "", "verified", true}});
+Sheet empty_sheet(bool labels, bool certified, By by) {
+  std::vector<Sheet::Column> columns = {{"model", "", ""},
+                                        {"grid", "", ""},
+                                        {"problem", "", ""},
+                                        {"formulation", "", ""},
+                                        {"label", "",
+                                         !labels             ? ""
+                                         : by == By::setting ? "factor"
+                                                             : "label",
+                                         true},
+                                        {"setting", "", by == By::setting ? "setting" : "formulation", true},
+                                        {"termination", "", "termination", true},
+                                        {"iterations", "", "iter"},
+                                        {"seconds", "", "seconds"},
+                                        {"seconds_half_iqr", "", ""},
+                                        {"samples", "", ""},
+                                        {"seconds_over_first", "", "time x"},
+                                        {"variables", "", "variables"},
+                                        {"objective", "", "f"},
+                                        {"objective_above_best_percent", "", "above best, %"},
+                                        {"violation", "", "violation"},
+                                        {"verified", "", "verified", true}};
+  if (certified) columns.push_back({"gap_percent", "", "gap %"});
+  return Sheet(std::move(columns));
 }
 
-void add_row(Block& block, const Group& group, const RecordedRun& run, const Fields& common) {
+/// "rayrep, bounds=midpoint": the formulation comes first, without its key.
+std::string with_formulation(const RecordedRun& run, Fields fields, const Fields& common, bool whole) {
+  fields.erase("formulation");
+  const std::string rest = text_of(fields, common, whole);
+  return rest == "defaults" ? run.run.config.formulation
+                            : fmt::format("{}, {}", run.run.config.formulation, rest);
+}
+
+void add_row(Block& block, const Group& group, const RecordedRun& run, const Fields& common, bool certified,
+             By by) {
   const SolveCells solve(run);
   const RunConfig& config = run.run.config;
   const RecordedRun& first = *group.runs.front();
@@ -108,28 +138,45 @@ void add_row(Block& block, const Group& group, const RecordedRun& run, const Fie
     if (const auto best = best_of(group); *best != 0)
       above = (run.record->objective - *best) / std::abs(*best) * 100;
   }
-  const Fields fields = settings_of(run);
-  const std::string setting = text_of(fields, common, false);
+  const Fields fields = settings_of(run, by);
+  const auto text = [&](bool whole) {
+    return by == By::setting ? text_of(fields, common, whole) : with_formulation(run, fields, common, whole);
+  };
+  const std::string setting = text(false);
   const bool same_as_before =
       !block.sheet.rows().empty() && block.sheet.rows().back()[4].data == run.run.label;
-  block.sheet.add({model_text(config), grid_text(run), config.problem, config.formulation,
-                   Cell(same_as_before ? "" : run.run.label, run.run.label),
-                   Cell(setting, text_of(fields, common, true)), termination_text(run), solve.iterations,
-                   solve.seconds, solve.half_iqr, solve.samples, Cell::of(time, "{:.2f}"), solve.variables,
-                   solve.objective, Cell::of(above, "{:.3f}"), solve.violation, solve.verified});
+  std::vector<Cell> cells = {model_text(config),
+                             grid_text(run),
+                             config.problem,
+                             config.formulation,
+                             Cell(same_as_before ? "" : run.run.label, run.run.label),
+                             Cell(setting, text(true)),
+                             termination_text(run),
+                             solve.iterations,
+                             solve.seconds,
+                             solve.half_iqr,
+                             solve.samples,
+                             Cell::of(time, "{:.2f}"),
+                             solve.variables,
+                             solve.objective,
+                             Cell::of(above, "{:.3f}"),
+                             solve.violation,
+                             solve.verified};
+  if (certified) cells.push_back(gap_cell(run));
+  block.sheet.add(std::move(cells));
   block.notes += note_of(run, true, setting);
 }
 
-}  // namespace
-
-Tables settings_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>&) {
+Tables tables_by(By by, const std::vector<RecordedRun>& runs) {
   const bool labels = std::ranges::any_of(runs, [](const auto& run) { return !run.run.label.empty(); });
+  const bool certified = any_certified(runs);
   Tables tables;
-  for (const Group& group : groups_of(runs)) {
-    const Fields common = common_fields(group);
-    Block block{
-        fmt::format("{}; in all: {}", group.name, text_of(common, {}, true)), empty_sheet(labels), {}};
-    for (const RecordedRun* run : group.runs) add_row(block, group, *run, common);
+  for (const Group& group : groups_of(runs, by)) {
+    const Fields common = common_fields(group, by);
+    Block block{fmt::format("{}; in all: {}", group.name, text_of(common, {}, true)),
+                empty_sheet(labels, certified, by),
+                {}};
+    for (const RecordedRun* run : group.runs) add_row(block, group, *run, common, certified, by);
     tables.blocks.push_back(std::move(block));
   }
   tables.legend =
@@ -137,9 +184,20 @@ Tables settings_tables(const std::vector<RecordedRun>& runs, const std::optional
       "first row;\n"
       "f: objective; above best: relative to the lowest of the block; violation: the largest of the "
       "constraints, body units;\n"
-      "times and distances are those of converged solves\n" +
-      provenance_text(runs) + '\n';
+      "times and distances are those of converged solves\n";
+  if (certified) tables.legend += certified_legend;
+  tables.legend += provenance_text(runs) + '\n';
   return tables;
+}
+
+}  // namespace
+
+Tables settings_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>&) {
+  return tables_by(By::setting, runs);
+}
+
+Tables formulations_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>&) {
+  return tables_by(By::formulation, runs);
 }
 
 }  // namespace kreisel

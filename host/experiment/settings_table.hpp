@@ -15,4 +15,9 @@ namespace kreisel {
 [[nodiscard]] Tables settings_tables(const std::vector<RecordedRun>& runs,
                                      const std::optional<Published>& published);
 
+/// The same by formulation: a block for every model, grid, problem and domain, rows named by formulation and
+/// by what else differs. List first what the others are to be compared with.
+[[nodiscard]] Tables formulations_tables(const std::vector<RecordedRun>& runs,
+                                         const std::optional<Published>& published);
+
 }  // namespace kreisel

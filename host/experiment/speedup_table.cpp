@@ -13,10 +13,11 @@
 namespace kreisel {
 namespace {
 
-/// A model and grid, solved both ways. Sides point into the list of runs; nullptr: not in the experiment.
+/// A model and grid, solved two ways, or three. Sides point into the list of runs; nullptr: not in the
+/// experiment.
 struct Row {
   std::string model, grid;
-  const RecordedRun *rayrep = nullptr, *voxel = nullptr;
+  const RecordedRun *rayrep = nullptr, *voxel = nullptr, *quadric = nullptr;
   const PublishedRow* published = nullptr;
 };
 
@@ -42,11 +43,10 @@ std::vector<Group> groups_of(const std::vector<RecordedRun>& runs,
     const std::string model = model_text(config), grid = grid_text(config.grid);
     Row& row = find_or_add(
         group.rows, [&](const Row& r) { return r.model == model && r.grid == grid; },
-        [&] {
-          return Row{model, grid, nullptr, nullptr, nullptr};
-        });
+        [&] { return Row{model, grid, nullptr, nullptr, nullptr, nullptr}; });
     if (config.formulation == "rayrep") row.rayrep = &run;
     if (config.formulation == "voxel") row.voxel = &run;
+    if (config.formulation == "quadric") row.quadric = &run;
     if (const PublishedRow* found = find_row(run, published)) row.published = found;
   }
   if (published)
@@ -61,11 +61,13 @@ std::vector<Group> groups_of(const std::vector<RecordedRun>& runs,
   return groups;
 }
 
-std::optional<double> speedup(const Row& row) {
-  if (!comparable(row.rayrep) || !comparable(row.voxel) || row.rayrep->record->median.solve <= 0)
-    return std::nullopt;
-  return row.voxel->record->median.solve / row.rayrep->record->median.solve;
+/// Seconds of `slow` over those of `fast`.
+std::optional<double> times_faster(const RecordedRun* fast, const RecordedRun* slow) {
+  if (!comparable(fast) || !comparable(slow) || fast->record->median.solve <= 0) return std::nullopt;
+  return slow->record->median.solve / fast->record->median.solve;
 }
+
+std::optional<double> speedup(const Row& row) { return times_faster(row.rayrep, row.voxel); }
 
 std::optional<double> published_speedup(const Row& row) {
   return row.published ? row.published->speedup : std::nullopt;
@@ -122,43 +124,70 @@ std::string settings_text(const Group& group, const RecordedRun* Row::*side) {
 std::vector<RecordedRun> members(const Group& group) {
   std::vector<RecordedRun> all;
   for (const Row& row : group.rows)
-    for (const RecordedRun* side : {row.rayrep, row.voxel})
+    for (const RecordedRun* side : {row.rayrep, row.voxel, row.quadric})
       if (side) all.push_back(*side);
   return all;
 }
 
-std::vector<Sheet::Column> columns(bool certified) {
+/// What the columns are: some are there only where some run has them. Where quadrics are, people see fewer of
+/// the others, so that a row still fits on a line; programs see all.
+struct Layout {
+  bool certified, quadric;
+};
+
+std::vector<Sheet::Column> columns(const Layout& layout) {
   std::vector<Sheet::Column> all = {
       {"label", "", ""}, {"model", "", ""}, {"grid", "", ""}, {"", "", "model, grid", true}};
+  const auto unless_quadric = [&](const char* heading) { return layout.quadric ? "" : heading; };
   for (const std::string side : {"rayrep", "voxel"}) {
     const std::string group = side == "rayrep" ? "ray-rep" : side;
     const auto add = [&](const char* data, const char* heading) {
       all.push_back({side + '_' + data, group, heading});
     };
-    add("variables", "vars");
+    add("variables", unless_quadric("vars"));
     add("seconds", "seconds");
     for (const char* data : {"seconds_half_iqr", "samples"}) add(data, "");
-    add("iterations", "iter");
-    add("objective", "f");
+    add("iterations", unless_quadric("iter"));
+    add("objective", layout.quadric && layout.certified ? "" : "f");
     for (const char* data : {"termination", "published_variables", "published_seconds"}) add(data, "");
   }
-  all.insert(all.end(), {{"objective_difference_percent", "f", "diff %"},
+  all.insert(all.end(), {{"objective_difference_percent", "f", unless_quadric("diff %")},
                          {"speedup", "speed-up", "here"},
                          {"published_speedup", "speed-up", "paper"},
-                         {"speedup_ratio", "speed-up", "ratio"},
-                         {"rayrep_variables_excess_percent", "vars, %", "ray"},
-                         {"voxel_variables_excess_percent", "vars, %", "voxel"}});
-  if (certified)
-    all.insert(all.end(),
-               {{"rayrep_gap_percent", "gap, %", "ray"}, {"voxel_gap_percent", "gap, %", "voxel"}});
+                         {"speedup_ratio", "speed-up", unless_quadric("ratio")},
+                         {"rayrep_variables_excess_percent", "vars, %", unless_quadric("ray")},
+                         {"voxel_variables_excess_percent", "vars, %", unless_quadric("voxel")}});
+  if (layout.quadric)
+    all.insert(all.end(), {{"quadric_seconds", "quadric", "seconds"},
+                           {"quadric_seconds_half_iqr", "quadric", ""},
+                           {"quadric_samples", "quadric", ""},
+                           {"quadric_iterations", "quadric", ""},
+                           {"quadric_objective", "quadric", "f"},
+                           {"quadric_termination", "quadric", ""},
+                           {"quadric_faster_than_rayrep", "faster than", "ray"},
+                           {"quadric_faster_than_voxel", "faster than", "voxel"}});
+  if (!layout.certified) return all;
+  all.insert(all.end(), {{"rayrep_gap_percent", "gap, %", "ray"}, {"voxel_gap_percent", "gap, %", "voxel"}});
+  if (layout.quadric) all.push_back({"quadric_gap_percent", "gap, %", "quadric"});
   return all;
 }
 
-Block block_of(const Group& group, const std::optional<Published>& published, bool certified) {
+void add_quadric(std::vector<Cell>& cells, const Row& row) {
+  const RecordedRun nothing;
+  SolveCells solve(row.quadric ? *row.quadric : nothing);
+  if (row.quadric && row.quadric->record && !is_optimal(*row.quadric)) solve.seconds.text += " !";
+  cells.insert(cells.end(), {solve.seconds, solve.half_iqr, solve.samples, solve.iterations, solve.objective,
+                             row.quadric ? termination_text(*row.quadric) : "",
+                             Cell::of(times_faster(row.quadric, row.rayrep), "{:.0f}"),
+                             Cell::of(times_faster(row.quadric, row.voxel), "{:.0f}")});
+}
+
+Block block_of(const Group& group, const std::optional<Published>& published, const Layout& layout) {
   Block block{fmt::format("{}\n  ray-rep: {}\n  voxel:   {}", group.label.empty() ? "all runs" : group.label,
                           settings_text(group, &Row::rayrep), settings_text(group, &Row::voxel)),
-              Sheet(columns(certified)),
+              Sheet(columns(layout)),
               {}};
+  if (layout.quadric) block.heading += "\n  quadric: " + settings_text(group, &Row::quadric);
   for (const Row& row : group.rows) {
     const std::string name = row.model + ' ' + row.grid;
     std::vector<Cell> cells = {group.label, row.model, row.grid, name};
@@ -168,12 +197,16 @@ Block block_of(const Group& group, const std::optional<Published>& published, bo
                                Cell::of(published_speedup(row), "{:.2f}"), Cell::of(ratio(row), "{:.2f}"),
                                Cell::of(excess(row.rayrep, published_side(row, true)), "{:+.1f}"),
                                Cell::of(excess(row.voxel, published_side(row, false)), "{:+.1f}")});
-    if (certified)
-      for (const RecordedRun* side : {row.rayrep, row.voxel})
-        cells.push_back(side ? gap_cell(*side) : Cell::none());
+    if (layout.quadric) add_quadric(cells, row);
+    if (layout.certified) {
+      cells.push_back(row.rayrep ? gap_cell(*row.rayrep) : Cell::none());
+      cells.push_back(row.voxel ? gap_cell(*row.voxel) : Cell::none());
+      if (layout.quadric) cells.push_back(row.quadric ? gap_cell(*row.quadric) : Cell::none());
+    }
     block.sheet.add(std::move(cells));
     if (row.rayrep) block.notes += note_of(*row.rayrep, true, name + ", ray-rep");
     if (row.voxel) block.notes += note_of(*row.voxel, true, name + ", voxel");
+    if (row.quadric) block.notes += note_of(*row.quadric, true, name + ", quadric");
   }
   block.notes += provenance_text(members(group)) + '\n';
   if (published) block.notes += fmt::format("paper: {}\n", published->machine);
@@ -184,16 +217,20 @@ Block block_of(const Group& group, const std::optional<Published>& published, bo
 
 Tables speedup_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>& published) {
   Tables tables;
-  const bool certified = any_certified(runs);
+  const Layout layout{any_certified(runs), std::ranges::any_of(runs, [](const RecordedRun& run) {
+                        return run.run.config.formulation == "quadric";
+                      })};
   for (const Group& group : groups_of(runs, published))
-    tables.blocks.push_back(block_of(group, published, certified));
+    tables.blocks.push_back(block_of(group, published, layout));
   tables.legend =
-      "seconds: median ± half the interquartile range of the solve, set-up excluded; f: objective; diff %: "
-      "ray-rep's f above voxel's;\n"
-      "speed-up: voxel seconds / ray-rep seconds; ratio: here / paper; vars, %: our counts of variables "
-      "above the "
-      "paper's\n";
-  if (certified) tables.legend += certified_legend;
+      "seconds: median ± half the interquartile range of the solve, set-up excluded; f: objective; speed-up: "
+      "voxel seconds / ray-rep seconds\n";
+  tables.legend +=
+      layout.quadric
+          ? "faster than: how many times the quadric's seconds the others take, on the same domain\n"
+          : "diff %: ray-rep's f above voxel's; ratio: here / paper; vars, %: our counts of "
+            "variables above the paper's\n";
+  if (layout.certified) tables.legend += certified_legend;
   if (published) tables.legend += published->source + '\n';
   return tables;
 }

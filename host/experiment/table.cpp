@@ -4,6 +4,7 @@
 
 #include <system_error>
 
+#include "experiment/certificate_table.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/inertia_table.hpp"
 #include "experiment/published_table.hpp"
@@ -22,6 +23,9 @@ const std::vector<TableKind>& table_kinds() {
       {"speedup", "ray-reps against voxels, row by row, beside a paper", speedup_tables},
       {"published", "a row a run, beside a paper's variables and seconds", published_tables},
       {"settings", "a block a body, a row a setting: what does it gain, what does it cost", settings_tables},
+      {"formulations", "a block a body, a row a formulation: what it takes and what it reaches",
+       formulations_tables},
+      {"certificate", "a row a run: certified bound, gap, boxes, seconds", certificate_tables},
       {"inertia", "a block a run: inertia tensor and principal moments before and after", inertia_tables},
   };
   return all;

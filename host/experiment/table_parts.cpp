@@ -29,7 +29,7 @@ double half_interquartile_range(const std::vector<Seconds>& samples) {
 
 std::string seconds_text(const RecordSummary& record) {
   const double median = record.median.solve;
-  const int digits = median < 1 ? 3 : median < 100 ? 2 : 1;
+  const int digits = median < 0.01 ? 5 : median < 1 ? 3 : median < 100 ? 2 : 1;
   if (record.samples.size() < 2) return fmt::format("{:.{}f}", median, digits);
   return fmt::format("{:.{}f} ± {:.{}f}", median, digits, half_interquartile_range(record.samples), digits);
 }

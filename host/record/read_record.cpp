@@ -47,8 +47,15 @@ void read_domain(const Group& group, RecordSummary& summary, const std::string& 
   if (grid.values.size() != 3)
     throw InputError(fmt::format("{}: grid has {} numbers, expected 3", name, grid.values.size()));
   std::ranges::copy(grid.values, summary.grid.begin());
+  summary.domain = group.text("kind");
   summary.rays = static_cast<std::size_t>(group.integer("rays"));
   summary.interior_voxels = static_cast<std::size_t>(group.integer("interior_voxels"));
+}
+
+void read_certificate(const Group& group, RecordSummary& summary) {
+  summary.certificate_kind = group.text("kind");
+  summary.certificate_boxes = static_cast<int>(group.integer("searches"));
+  summary.certificate_seconds = group.real("seconds");
 }
 
 void read_solve(const Group& group, RecordSummary& summary, const std::string& name) {
@@ -94,6 +101,7 @@ RecordSummary read_record(const std::filesystem::path& path) {
   summary.violation = file.real("constraint_violation");
   if (file.has("bound")) summary.bound = file.real("bound");
   if (file.has("gap")) summary.gap = file.real("gap");
+  if (file.has("bound")) read_certificate(file.group("certificate"), summary);
   summary.iterations = static_cast<int>(file.integer("iterations"));
   summary.variables = static_cast<std::size_t>(file.integer("variables"));
   read_domain(file.group("domain"), summary, name);

@@ -36,6 +36,10 @@ struct RecordSummary {
   int iterations = 0;
   double objective = 0, violation = 0;
   std::optional<double> bound, gap;  ///< where it was certified; infinite where nothing was proved
+  std::string certificate_kind;      ///< as Certificate::Kind is written; empty where it was not certified
+  int certificate_boxes = 0;         ///< solved on the way
+  double certificate_seconds = 0;    ///< apart from the solve
+  std::string domain;                ///< columns or exact
   double rounded_objective = 0, rounded_violation = 0;
   std::size_t mended_voxels = 0, moved_voxels = 0;
   bool verified_ok = false;

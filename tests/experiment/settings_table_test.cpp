@@ -68,5 +68,24 @@ TEST(SettingsTable, HasABlockForEachBodyAndFormulationAndSaysAFactorOnce) {
   EXPECT_NE(to_csv(tables).find("rayrep,start,solver.start=upper,"), std::string::npos) << to_csv(tables);
 }
 
+TEST(FormulationsTable, ComparesFormulationsOfOneBodyAndDomain) {
+  RecordedRun quadric = run_with("", 0.5, 0.8), rays = run_with("", 2, 0.88), exact = run_with("", 1, 0.7);
+  for (RecordedRun* run : {&quadric, &exact}) run->run.config.formulation = "quadric";
+  quadric.run.config.domain = "columns";
+  quadric.record->gap = 1e-3;
+  rays.run.config.settings["formulation.bounds"] = "midpoint";
+  const Tables tables = formulations_tables({quadric, rays, exact}, {});
+  ASSERT_EQ(tables.blocks.size(), 2u) << "what is exact is not compared with columns";
+  EXPECT_TRUE(tables.blocks[0].heading.starts_with("ellipsoid 40x26x26, spin, domain columns; in all: "))
+      << tables.blocks[0].heading;
+  EXPECT_TRUE(tables.blocks[1].heading.starts_with("ellipsoid 40x26x26, spin, domain exact; in all: "))
+      << tables.blocks[1].heading;
+  const std::string text = tables.blocks[0].sheet.text();
+  // 0.88 lies 10 % above 0.8; 2 s are four times 0.5 s.
+  EXPECT_EQ(squeezed_line(text, "quadric"), "quadric optimal 20 0.500 1.00 1300 0.8 0.000 1.0e-10 yes 0.1");
+  EXPECT_EQ(squeezed_line(text, "rayrep"),
+            "rayrep, bounds=midpoint optimal 20 2.00 4.00 1300 0.88 10.000 1.0e-10 yes -");
+}
+
 }  // namespace
 }  // namespace kreisel

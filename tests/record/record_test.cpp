@@ -194,6 +194,10 @@ TEST_F(Record, OfACertifiedRunHoldsTheProof) {
   const RecordSummary s = read_record(folder_.path / "run.h5");
   EXPECT_EQ(s.bound.value(), 0.6);
   EXPECT_DOUBLE_EQ(s.gap.value(), 0.2);
+  EXPECT_EQ(s.certificate_kind, "spin");
+  EXPECT_EQ(s.certificate_boxes, 3);
+  EXPECT_EQ(s.certificate_seconds, 1.25);
+  EXPECT_EQ(s.domain, "columns");
   const auto group = hdf5::File::open(folder_.path / "run.h5").group("certificate");
   EXPECT_EQ(group.text("kind"), "spin");
   EXPECT_EQ(group.real("best"), 0.7);

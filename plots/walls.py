@@ -1,0 +1,75 @@
+#!/usr/bin/python3
+"""What does a thicker wall cost? Objective, and whether the part does what was asked, against the wall."""
+
+import collections
+
+import records
+import style
+from style import plt
+
+
+def series(runs):
+    """{model: runs by wall, in body lengths L}."""
+    lines = collections.defaultdict(list)
+    for run in runs:
+        lines[run["model"]].append(run)
+    for line in lines.values():
+        line.sort(key=lambda run: run["domain"]["wall"])
+    return lines
+
+
+def millimetres(run):
+    return run["domain"]["wall"] * run["body"]["length"]
+
+
+def draw_line(upper, lower, model, line, colour, marker):
+    met = [run for run in line if records.converged(run)]
+    upper.plot([millimetres(r) for r in met], [r["objective"] for r in met], color=colour, linewidth=1.4, zorder=2)
+    upper.axhline(met[0]["body"]["solid_objective"], color=colour, linewidth=0.9, linestyle=style.LINES[2], zorder=1)
+    ratios = [run for run in met if "largest_over_lateral" in run["verified"]["values"]]
+    lower.plot([millimetres(r) for r in ratios], [r["verified"]["values"]["largest_over_lateral"] for r in ratios],
+               color=colour, linewidth=1.4, zorder=2)
+    for run in line:
+        x, good = millimetres(run), records.converged(run) and run["verified"]["ok"]
+        look = dict(color=colour, linestyle="none", markersize=5, marker=marker if records.converged(run) else "x",
+                    markerfacecolor=colour if good else "white", zorder=3)
+        if records.converged(run):
+            upper.plot(x, run["objective"], **look)
+            if run in ratios:
+                lower.plot(x, run["verified"]["values"]["largest_over_lateral"], **look)
+        else:
+            upper.plot(x, met[-1]["objective"], **look)
+    upper.plot([], [], color=colour, marker=marker, markersize=5, label=model)
+
+
+def figure(found, _published=None):
+    runs = records.with_results(found)
+    lines = {model: line for model, line in series(runs).items() if any(map(records.converged, line))}
+    if not lines:
+        raise records.BadRecord("no converged run")
+    fig, (upper, lower) = plt.subplots(2, 1, sharex=True, figsize=(7, 6.2), height_ratios=(3, 2))
+    for (model, line), colour, marker in zip(lines.items(), style.COLOURS, style.MARKERS):
+        draw_line(upper, lower, model, line, colour, marker)
+    upper.plot([], [], color=style.QUIET, linestyle=style.LINES[2], linewidth=0.9, label="the solid")
+    for look, label in ((dict(marker="o", markerfacecolor="white"), "misses the verdict"),
+                        (dict(marker="x"), "infeasible")):
+        if label == "infeasible" and all(map(records.converged, runs)):
+            continue
+        if label != "infeasible" and all(r["verified"]["ok"] for r in runs if records.converged(r)):
+            continue
+        upper.plot([], [], color=style.QUIET, linestyle="none", markersize=5, label=label, **look)
+    lower.axhline(1, color=style.INK, linewidth=0.8)
+    upper.set_title("objective")
+    lower.set_title("Izz over the next principal moment; below 1 it does not spin")
+    lower.set_xlabel("least wall, mm")
+    upper.set_xlim(left=0)
+    upper.legend(fontsize=8, ncols=2)
+    sizes = ", ".join(f"{m} {records.grid_text(line[0])}" for m, line in lines.items())
+    kinds = ", ".join(sorted({run["domain"]["kind"] for run in runs}))
+    low = style.caption(fig, f"{kinds} domain; {sizes}. {records.provenance_line(runs)}.")
+    fig.tight_layout(rect=(0, low, 1, 1))
+    return fig
+
+
+if __name__ == "__main__":
+    records.main_with(lambda: records.draw_folder(figure, __doc__, "walls"))
