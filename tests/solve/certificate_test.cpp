@@ -168,7 +168,7 @@ TEST(Certificate, OnASingleDeviceIsAsRigorous) {
   const Case on = top();
   const Spin problem({1, 1});
   const Certificate fine = on.certified(problem);
-  const Certificate c = certify(problem, on.domain, on.mass, single_device(), {});
+  const Certificate c = certify(problem, rays_of(on.domain), on.mass, single_device(), {});
   EXPECT_TRUE(c.reached) << c.message;
   EXPECT_LE(c.bound, fine.best);
   EXPECT_NEAR(c.bound, fine.bound, 2e-3 * fine.best);
