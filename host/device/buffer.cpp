@@ -109,12 +109,14 @@ std::vector<double> PartialRows::join() const {
   if (device_->single()) {
     std::vector<std::array<float, 2>> rows(groups_ * sums_);
     read(rows);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      sum[i % sums_] += static_cast<double>(rows[i][0]) + static_cast<double>(rows[i][1]);
+    for (std::size_t i = 0; i < rows.size(); i += sums_)
+      for (std::size_t k = 0; k < sums_; ++k)
+        sum[k] += static_cast<double>(rows[i + k][0]) + static_cast<double>(rows[i + k][1]);
   } else {
     std::vector<double> rows(groups_ * sums_);
     read(rows);
-    for (std::size_t i = 0; i < rows.size(); ++i) sum[i % sums_] += rows[i];
+    for (std::size_t i = 0; i < rows.size(); i += sums_)
+      for (std::size_t k = 0; k < sums_; ++k) sum[k] += rows[i + k];
   }
   return sum;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "device/program.hpp"
@@ -49,6 +50,15 @@ Matrix10 hessian_of(const double* sums, double hh) {
   return average * pure * average.transpose();
 }
 
+/// The kernel's sums over lines as moments of h x h columns.
+Moments columns_of_lines(Moments s, double h) {
+  s *= h * h;
+  for (const int k : {SZ, SYZ, SXZ}) s[k] /= 2;
+  s[SZZ] /= 3;
+  for (const int k : {SXX, SYY}) s[k] += h * h / 12 * s[S1];
+  return s;
+}
+
 }  // namespace
 
 QuadricMoments::QuadricMoments(device::Device& device, const Rays& rays)
@@ -79,6 +89,7 @@ Support QuadricMoments::operator()(const Moments& q, bool with_hessian) {
   // overflow and underflow.
   const double scale = q.cwiseAbs().maxCoeff();
   if (n_ == 0 || !(scale > 0)) return support;
+  const double area = grid_.h * grid_.h, hh = area / 12;
   Pass& pass = with_hessian ? with_hessian_ : plain_;
   device::set_params<QuadricParams>(*device_, pass.kernel, 0, [&](auto& p) {
     using Real = decltype(p.h);
@@ -86,14 +97,19 @@ Support QuadricMoments::operator()(const Moments& q, bool with_hessian) {
     p.oy = static_cast<Real>(grid_.centre(1, 0));
     p.h = static_cast<Real>(grid_.h);
     for (int k = 0; k < 10; ++k) p.q[k] = static_cast<Real>(q[k] / scale);
+    p.q[S1] = static_cast<Real>((q[S1] + (q[SXX] + q[SYY]) * hh) / scale);
+    // A negative zero would send the root at infinity to the wrong side; some devices make one of a
+    // subnormal.
+    if (std::abs(p.q[SZZ]) < std::numeric_limits<Real>::min()) p.q[SZZ] = 0;
+    p.inverse_a = 1 / p.q[SZZ];
     p.n = static_cast<int>(device::padded(n_));
     p.block = pass.rows.block();
   });
   pass.rows.run(pass.kernel);
   const std::vector<double> sums = pass.rows.join();
-  support.moments = Moments(sums.data());
+  support.moments = columns_of_lines(Moments(sums.data()), grid_.h);
   support.value = q.dot(support.moments);
-  if (with_hessian) support.hessian = hessian_of(sums.data() + 10, grid_.h * grid_.h / 12) / scale;
+  if (with_hessian) support.hessian = area / scale * hessian_of(sums.data() + 10, hh);
   return support;
 }
 

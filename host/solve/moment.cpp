@@ -57,7 +57,12 @@ class Search {
  private:
   [[nodiscard]] bool margin() const { return problem_.goal() == Goal::margin; }
   Phase model_step(State& state, bool first);
-  Phase newton(State& state);
+  /// @param descending  only to where f is no larger
+  Phase newton(State& state, bool descending);
+  /// What of f a miss of the rows may be worth.
+  [[nodiscard]] double worth_of_misses(const Moments& s, const Eigen::VectorXd& multipliers) const {
+    return multipliers.size() ? multipliers.lpNorm<1>() * rows_.violation(s) : 0;
+  }
   void note(const State& state, int trials);
 
   const Problem& problem_;
@@ -92,9 +97,10 @@ Phase Search::model_step(State& state, bool first) {
     }
     model.target = model.factor.transpose() * state.s;
   }
-  // A model need not be solved better than it describes f; the last steps belong to newton().
+  // A model need not be solved better than it describes f; the last steps belong to newton(). As Newton's
+  // method squares what is left, this saves one or two passes a model.
   const bool exact = margin() || problem_.hessian(state.s).isZero();
-  const double tolerance = exact ? tolerance_ : std::clamp(1e-3 * state.residual, tolerance_, 1e-6);
+  const double tolerance = exact ? tolerance_ : std::clamp(1e-2 * state.residual, tolerance_, 1e-4);
   const DualPoint point = minimise_model(oracle_, model, rows_, state.multipliers, tolerance);
   if (point.ending == DualPoint::infeasible) {
     state.q = rows_.matrix.transpose() * point.multipliers;
@@ -107,9 +113,12 @@ Phase Search::model_step(State& state, bool first) {
   double alpha = 1;
   int trials = 1;
   if (!first && !exact) {
-    const double f = problem_.value(state.s), slope = model.linear.dot(step);
-    while (trials < 40 &&
-           !(problem_.value(state.s + alpha * step) <= f + 1e-4 * alpha * std::min(slope, 0.0)))
+    // Neither end meets the rows better than its model was solved.
+    const auto merit = [&](const Moments& s) {
+      return problem_.value(s) + worth_of_misses(s, point.multipliers);
+    };
+    const double before = merit(state.s), slope = model.linear.dot(step);
+    while (trials < 40 && !(merit(state.s + alpha * step) <= before + 1e-4 * alpha * std::min(slope, 0.0)))
       alpha /= 2, ++trials;
   }
   state.s += alpha * step;
@@ -125,8 +134,9 @@ Phase Search::model_step(State& state, bool first) {
 }
 
 /// Newton's method on s = s(grad f(s) + rows^T multipliers) and the active rows, all at once; ends when it no
-/// longer halves the residual. Changes `state` only for the better.
-Phase Search::newton(State& state) {
+/// longer reduces the residual. Changes `state` only for the better.
+Phase Search::newton(State& state, bool descending) {
+  const State start = state;
   std::vector<Eigen::Index> active;
   for (Eigen::Index i = 0; i < rows_.size(); ++i)
     if (state.active.empty() || state.active[static_cast<std::size_t>(i)]) active.push_back(i);
@@ -158,7 +168,7 @@ Phase Search::newton(State& state) {
       note(state, 1);
     }
     if (residual <= tolerance_) break;
-    if (!(residual < 0.5 * before) && step > 0) break;
+    if (!(residual < 0.9 * before) && step > 0) break;
     before = residual;
     Eigen::MatrixXd system(10 + m, 10 + m);
     system << Matrix10::Identity() - support.hessian * problem_.hessian(s), -support.hessian * c.transpose(),
@@ -168,6 +178,10 @@ Phase Search::newton(State& state) {
     s += d.head<10>();
     mu += d.tail(m);
   }
+  // Far from the optimum it may have found a maximum.
+  if (descending && !(problem_.value(state.s) <=
+                      problem_.value(start.s) + worth_of_misses(start.s, start.multipliers) + 1e-9))
+    state = start;
   // Round-off: a sum over the rays keeps some thousand units of its last digit.
   return state.residual <= 1e3 * tolerance_ && rows_.violation(state.s) <= 1e3 * tolerance_ ? Phase::converged
                                                                                             : Phase::going_on;
@@ -176,7 +190,7 @@ Phase Search::newton(State& state) {
 Phase Search::run(State& state, bool known, int most_steps) {
   for (int step = 0; step < most_steps; ++step) {
     if (known || state.residual < 3e-2) {
-      const Phase phase = margin() ? Phase::going_on : newton(state);
+      const Phase phase = margin() ? Phase::going_on : newton(state, !known);
       if (phase == Phase::converged) return phase;
     }
     // What does not meet the rows is left at once; from what does, f guides the step.
