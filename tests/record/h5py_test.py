@@ -105,10 +105,12 @@ def check(file):
         if not fine:
             wrong.append(" ".join(map(str, words)))
 
-    attributes, datasets = ATTRIBUTES, DATASETS
+    attributes, datasets = ATTRIBUTES, dict(DATASETS)
+    if file["domain"].attrs.get("kind") == "exact":
+        datasets["/domain/intervals"] = ("f8", (None, 4), ["ix", "iy", "z0", "z1"])
     if "certificate" in file:
         attributes = {g: ATTRIBUTES.get(g, {}) | CERTIFIED.get(g, {}) for g in ATTRIBUTES | CERTIFIED}
-        datasets = DATASETS | CERTIFIED_DATASETS
+        datasets |= CERTIFIED_DATASETS
     for group, wanted in attributes.items():
         for name, kind in wanted.items():
             value = file[group].attrs.get(name)
