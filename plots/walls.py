@@ -66,7 +66,7 @@ def figure(found, _published=None):
     upper.legend(fontsize=8, ncols=2)
     sizes = ", ".join(f"{m} {records.grid_text(line[0])}" for m, line in lines.items())
     kinds = ", ".join(sorted({run["domain"]["kind"] for run in runs}))
-    low = style.caption(fig, f"{kinds} domain; {sizes}. {records.provenance_line(runs)}.")
+    low = style.caption(fig, f"{kinds} domain; {sizes}. {records.provenance_line(runs)}.", 105)
     fig.tight_layout(rect=(0, low, 1, 1))
     return fig
 

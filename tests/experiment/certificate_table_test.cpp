@@ -33,10 +33,10 @@ TEST(CertificateTable, HasDashesForWhatWasNotCertifiedOrDidNotRun) {
   plain.run.config.problem = "stand";
   missing.record.reset();
   const std::string text = to_text(certificate_tables({plain, missing}, {}));
-  EXPECT_EQ(squeezed_line(text, "ellipsoid 40x26x26  stand"),
+  EXPECT_EQ(squeezed_line(text, "ellipsoid  40x26x26  stand"),
             "ellipsoid 40x26x26 stand rayrep exact 0 optimal | 0.500 0.8 | - - - - -")
       << text;
-  EXPECT_EQ(squeezed_line(text, "ellipsoid 40x26x26  spin"),
+  EXPECT_EQ(squeezed_line(text, "ellipsoid  40x26x26  spin"),
             "ellipsoid 40x26x26 spin rayrep - - not run | - - | - - - - -")
       << text;
 }
