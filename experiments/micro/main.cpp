@@ -111,6 +111,7 @@ int run(int argc, char** argv) {
     add_ceilings(machine->precision(), *machine);
     const bool with_loops = machine == &standard;
     register_rays(*machine, with_loops);
+    register_quadric(*machine, with_loops);
     register_voxels(*machine, with_loops);
     register_meshes(*machine, with_loops);
   }

@@ -52,6 +52,7 @@ void time_loop(benchmark::State& state, double elements, double bytes, const std
 [[nodiscard]] std::vector<std::size_t> sizes(const device::Device& device, double bytes_an_element);
 
 void register_rays(Machine& machine, bool reference);
+void register_quadric(Machine& machine, bool reference);
 void register_voxels(Machine& machine, bool reference);
 void register_meshes(Machine& machine, bool reference);
 

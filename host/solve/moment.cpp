@@ -238,10 +238,13 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
   State state;
   Phase phase = Phase::stalled;
   bool known = false;
+  int fine_passes = 0;
   const int levels = std::min(own.levels, domain.levels());
   for (int level = levels - 1; level >= 0; --level) {
     TotalSupport oracle(domain, task.mass, level);
-    Search search(problem, oracle, level == 0 ? own.tolerance : 1e-8, outcome.history);
+    // The levels differ by far more than this.
+    constexpr double coarse_tolerance = 1e-6;
+    Search search(problem, oracle, level == 0 ? own.tolerance : coarse_tolerance, outcome.history);
     if (!known) {
       state = {};
       Moments from = -Moments::Unit(S1);  // solid
@@ -257,12 +260,14 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
     known = phase == Phase::converged;
     outcome.evaluations.objective += oracle.passes();
     outcome.evaluations.hessian += oracle.hessian_passes();
+    if (level == 0) fine_passes = oracle.passes() + oracle.hessian_passes();
     if (phase == Phase::interrupted) break;
   }
 
   const Moments x = state.q / std::max(state.q.cwiseAbs().maxCoeff(), 1e-300);
   outcome.x.assign(x.data(), x.data() + 10);
   outcome.moments = task.mass.total(task.formulation.moments(outcome.x));
+  ++outcome.evaluations.objective, ++fine_passes;
   outcome.objective = problem.value(outcome.moments);
   outcome.violation = violation(problem, outcome.moments);
   outcome.dual_infeasibility = state.residual;
@@ -273,7 +278,8 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
   switch (phase) {
     case Phase::converged:
       outcome.termination = Termination::optimal;
-      outcome.message = fmt::format("converged, residual {:.1e}", state.residual);
+      outcome.message = fmt::format("converged, residual {:.1e}, {} passes at full resolution",
+                                    state.residual, fine_passes);
       if (const double size = state.multipliers.size() ? state.multipliers.cwiseAbs().maxCoeff() : 0;
           problem.goal() == Goal::value &&
           size > barely_met * problem.gradient(outcome.moments).cwiseAbs().maxCoeff())

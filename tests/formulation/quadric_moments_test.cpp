@@ -111,6 +111,19 @@ TEST_P(QuadricMomentsOn, ConstantsTakeAllOrNothing) {
             tolerance() * all.abs_sum.maxCoeff());
 }
 
+TEST_P(QuadricMomentsOn, AreTheSameBitForBitEveryTime) {
+  Random random(9);
+  const Rays rays = random_intervals(5003, random);
+  QuadricMoments oracle(device(), rays), another(device(), rays);
+  const Moments q = random_quadric(random);
+  const Support first = oracle(q, true);
+  for (QuadricMoments* again : {&oracle, &another}) {
+    const Support got = (*again)(q, true);
+    EXPECT_EQ(got.moments, first.moments);
+    EXPECT_EQ(got.hessian, first.hessian);
+  }
+}
+
 TEST_P(QuadricMomentsOn, OfNoRaysAreZero) {
   Rays none;
   none.grid = odd_grid();

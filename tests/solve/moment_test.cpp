@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "domain/test_bodies.hpp"
 #include "error.hpp"
@@ -51,6 +52,31 @@ TEST(MomentSolver, IsNoWorseThanRayRepAndMeetsTheConstraintsToRoundOff) {
   EXPECT_LT(quadric.objective, problem.value(body.solid) - 0.05) << "nothing gained, nothing tested";
   // Newton's method: a handful of passes, not dozens.
   EXPECT_LE(quadric.evaluations.hessian + quadric.evaluations.objective, 60);
+}
+
+TEST(MomentSolver, PassesOverAFineGridAFewTimesOnly) {
+  const Body body = leaning_box();
+  const Columns domain = columns_of(body, 144);  // more than 8000 rays: a coarser level exists
+  const MassModel mass = hollowed(body, domain.interior);
+  const Spin problem({});
+  const auto way = make_formulation("quadric", domain, {}, {}, test_device());
+  ASSERT_GE(way->oracle()->levels(), 2);
+  const Task task{problem, *way, mass, test_device()};
+  SolverOptions fine_only;
+  fine_only.own["levels"] = "1";
+  const Outcome cold = solve_with_moments(task, fine_only), warm = solve_with_moments(task, {});
+  ASSERT_EQ(cold.termination, Termination::optimal) << cold.message;
+  ASSERT_EQ(warm.termination, Termination::optimal) << warm.message;
+  EXPECT_NEAR(cold.objective, warm.objective, 1e-12);
+  // Some five models of six passes and Newton's method; then its last four or five steps alone.
+  const int passes = cold.evaluations.objective + cold.evaluations.hessian;
+  EXPECT_LE(passes, 45);
+  EXPECT_NE(cold.message.find(std::to_string(passes) + " passes at full resolution"), std::string::npos)
+      << cold.message;
+  int few = 0;
+  for (int n = 1; n <= 8; ++n)
+    few += warm.message.find(", " + std::to_string(n) + " passes at full resolution") != std::string::npos;
+  EXPECT_EQ(few, 1) << warm.message;
 }
 
 TEST(MomentSolver, EndsWhereTheQuadricIsThatOfItsMultipliers) {
