@@ -80,10 +80,11 @@ TEST_F(BenchMap, FloatsAtSeveralDrafts) {
 
 TEST_F(BenchMap, KeepsWhatIsDoneWhenInterrupted) {
   const BenchAnswer a =
-      shell(fmt::format("timeout --preserve-status -s INT 4 '{}' map {} --axes 2000000 --record {}",
+      shell(fmt::format("timeout --preserve-status -s INT 6 '{}' map {} --axes 2000000 --record {}",
                         KREISEL_BENCH, small, file("part.h5")));
   EXPECT_EQ(a.code, 130) << a.out;
-  if (a.out.find("nothing written") != std::string::npos) GTEST_SKIP() << "too slow to begin within 4 s";
+  if (!std::filesystem::exists(file("part.h5")) && a.out.find("domain") == std::string::npos)
+    GTEST_SKIP() << "too slow to get beyond the set-up within 6 s";
   EXPECT_NE(a.out.find("of 2000000, interrupted"), std::string::npos) << a.out;
   expect_h5py_reads(file("part.h5"));
 }

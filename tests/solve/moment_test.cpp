@@ -166,12 +166,12 @@ TEST(MomentSolver, SaysOfOneRayThatItCannotBalance) {
 }
 
 TEST(MomentSolver, TakesAThinPlate) {
-  // A layer or two of cells is left between the walls.
+  // A few layers of cells are left between the walls.
   const Body body = body_of(box_mesh({-1.0, -0.9, 0}, {1.04, 0.94, 0.23}));
   const Columns domain = columns_of(body, 40);
   int thickest = 0;
   for (const Interval& run : domain.intervals) thickest = std::max(thickest, run.k1 - run.k0);
-  ASSERT_LE(thickest, 2);
+  ASSERT_LE(thickest, 3);
   const MassModel mass = hollowed(body, domain.interior);
   const Outcome outcome = solve_on(domain, Spin({}), mass).outcome;
   ASSERT_EQ(outcome.termination, Termination::optimal) << outcome.message;
