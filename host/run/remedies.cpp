@@ -71,9 +71,12 @@ std::string what_would_help(const RunConfig& config, const Body& body, const Pro
   const Trials trials(config, body, problem, device);
   std::vector<std::string> help;
 
-  tell("try thinner walls");
   const double wall =
       in_body_units(config.wall, body, make_grid(bounding_box(body.local), config.grid)) * body.frame.length;
+  // Whole cells may leave too little, and a solver may see an infeasibility that is its own.
+  if (trials.fits_with_wall(wall))
+    return "--formulation quadric, which meets them with the same wall on the exact domain";
+  tell("try thinner walls");
   constexpr double thinnest = 0.02;  // of the wall asked for; nobody prints less
   if (const auto mm =
           nearest_that_fits(wall, thinnest * wall, [&](double w) { return trials.fits_with_wall(w); }))
