@@ -7,6 +7,7 @@
 #include "experiment/certificate_table.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/inertia_table.hpp"
+#include "experiment/maps_table.hpp"
 #include "experiment/published_table.hpp"
 #include "experiment/run_text.hpp"
 #include "experiment/runner.hpp"
@@ -26,6 +27,8 @@ const std::vector<TableKind>& table_kinds() {
       {"formulations", "a block a body, a row a formulation: what it takes and what it reaches",
        formulations_tables},
       {"certificate", "a row a run: certified bound, gap, boxes, seconds", certificate_tables},
+      {"maps", "a row a map of orientations and draft: how much is feasible, which axis is best",
+       maps_tables},
       {"inertia", "a block a run: inertia tensor and principal moments before and after", inertia_tables},
   };
   return all;
@@ -44,7 +47,11 @@ std::vector<RecordedRun> collect(const Experiment& experiment, const std::filesy
     std::error_code ignored;
     RecordedRun& recorded = runs.emplace_back();
     recorded.run = run;
-    if (std::filesystem::exists(path, ignored)) recorded.record = read_record(path);
+    if (!std::filesystem::exists(path, ignored)) continue;
+    if (run.config.map && is_map(path))
+      recorded.map = read_map(path);
+    else
+      recorded.record = read_record(path);
   }
   return runs;
 }

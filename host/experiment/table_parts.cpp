@@ -105,7 +105,7 @@ SolveCells::SolveCells(const RecordedRun& run) {
   samples = fmt::format("{}", r.samples.size());
   objective = Cell::of(r.objective, "{:.6g}");
   violation = Cell::of(r.violation, "{:.1e}");
-  verified = r.verified_ok ? "yes" : "no";
+  if (r.has_part) verified = r.verified_ok ? "yes" : "no";
   device = r.device;
   commit = r.commit;
 }

@@ -15,6 +15,9 @@ namespace kreisel {
 
 inline constexpr int record_schema_version = 1;
 
+/// In place of a verdict where the run ended with the solve.
+inline constexpr const char* no_part = "none made, none verified: part = none";
+
 /// Writes the whole run: temporary name in the same folder, then renamed. Creates the folder.
 /// @throws InputError  the folder cannot be written
 void write_record(const std::filesystem::path& path, const RunResult& result);
@@ -42,6 +45,7 @@ struct RecordSummary {
   std::string domain;                ///< columns or exact
   double rounded_objective = 0, rounded_violation = 0;
   std::size_t mended_voxels = 0, moved_voxels = 0;
+  bool has_part = true;  ///< without one, `verified_text` says why, and nothing is rounded or written
   bool verified_ok = false;
   std::string verified_text;
   double length_mm = 1, mass_unit_grams = 1;  ///< one body unit in model units

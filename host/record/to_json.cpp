@@ -94,6 +94,7 @@ json plain(const json& value) {
 
 json to_json(const RunResult& r) {
   const Outcome& o = r.outcome;
+  const bool part = r.config.part != Part::none;
   json samples = json::array();
   for (const Seconds& s : r.samples) samples.push_back(to_json(s));
   return plain({
@@ -117,7 +118,7 @@ json to_json(const RunResult& r) {
       {"constraint_violation", o.violation},
       {"dual_infeasibility", o.dual_infeasibility},
       {"complementarity", o.complementarity},
-      {"moments", list(r.model_moments(r.rounding.moments))},
+      {"moments", list(r.model_moments(part ? r.rounding.moments : o.moments))},
       {"moments_optimum", list(r.model_moments(o.moments))},
       {"moments_order", moment_names},
       {"moments_frame",
@@ -143,8 +144,9 @@ json to_json(const RunResult& r) {
       {"certificate", r.certificate ? json(to_string(r.certificate->kind)) : json()},
       {"boxes", r.certificate ? json(r.certificate->boxes.size()) : json()},
       {"certify_seconds", r.certificate ? json(r.certificate->seconds) : json()},
-      {"rounding", rounding(r.rounding)},
-      {"verified", verified(r.verified)},
+      {"rounding", part ? rounding(r.rounding) : json()},
+      {"verified", part ? verified(r.verified) : json()},
+      {"no_part", part ? json() : json(no_part)},
       {"evaluations", evaluations(o.evaluations)},
       {"config", describe(r.config)},
       {"device", r.provenance.device},

@@ -185,8 +185,12 @@ void write_record(const std::filesystem::path& path, const RunResult& r) {
     write_body(file.new_group("body"), r);
     write_domain(file.new_group("domain"), r);
     write_solve(file.new_group("solve"), r);
-    write_rounding(file.new_group("rounding"), r.rounding);
-    write_verified(file.new_group("verified"), r.verified);
+    if (r.config.part == Part::none) {
+      file.set("no_part", no_part);
+    } else {
+      write_rounding(file.new_group("rounding"), r.rounding);
+      write_verified(file.new_group("verified"), r.verified);
+    }
     if (r.certificate) {
       file.set("bound", r.certificate->bound);
       file.set("gap", r.gap());

@@ -172,6 +172,9 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   const ProblemEntry& asked = find_problem(config.problem);
   const FormulationEntry& way = find_formulation(config.formulation);
   (void)domain_of(config);
+  if (config.part == Part::none && !mesh_file.empty())
+    throw InputError(
+        fmt::format("part = none with the mesh {}; expected no mesh, or part = written", mesh_file));
   const SolverEntry& solver = find_solver(solver_of(config), way.name);
   SolverOptions options = parse_solver_options(settings_of(config, "solver"));
   options.own = settings_of(config, solver.name);
@@ -239,11 +242,12 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
     stop_if_interrupted();
   }
 
+  output.outer = body.mesh;
+  if (config.part == Part::none) return output;
   tell("round, extract, verify");
   // What cannot be met at all need not be fitted.
   const bool fit = config.rounding == Rounding::fitted && r.outcome.termination != Termination::infeasible;
   const Task task{*problem, *formulation, mass, device};
-  output.outer = body.mesh;
   output.cavity = to_model(body.frame, domain.exact ? mesh_cavity(r, task, body, solver, options, fit)
                                                     : round_to_voxels(r, task, fit));
   r.verified = write_and_verify(output, body, *problem, mesh_file);

@@ -71,7 +71,7 @@ struct RunResult {
   std::optional<Certificate> certificate;  ///< when asked for
   std::vector<Seconds> samples;            ///< every timed solve
   Seconds median;                          ///< of each column of samples
-  RoundingCost rounding;
+  RoundingCost rounding;                   ///< like `verified` empty where config.part is none
   Verified verified;
 
   /// How far the objective may be above the least there is, as a share of it; infinite where nothing was

@@ -35,6 +35,7 @@ constexpr std::pair<const char*, const char*> fields[] = {
     {"resolution", "cells along the longest side, or NXxNYxNZ; default 64"},
     {"wall", "least wall: 1.5h (cells), 2% (of the longest side) or mm; default 1.5h"},
     {"rounding", "of the written part: nearest, or fitted so that the constraints hold (default)"},
+    {"part", "written (default), or none: the run ends with the solve"},
     {"axis", "spin axis x,y,z in model coordinates; default up"},
     {"contact", "a point of the axis, mm; default the lowest point along it"},
     {"up", "up direction x,y,z; default the model's, else 0,0,1"},
@@ -123,14 +124,10 @@ void add_map_options(CLI::App& app, Parsed& parsed) {
   app.add_option("--set", parsed.settings, "GROUP.NAME=VALUE; groups: problem, solver")
       ->allow_extra_args(false)
       ->type_name("GROUP.NAME=VALUE");
-  app.add_option("--axes", parsed.map.axes, "directions of the sphere")->capture_default_str();
-  app.add_option("--through", parsed.map.through,
-                 "axes run through the lowest point, or the solid's centre of mass")
-      ->check(CLI::IsMember({"lowest", "centre"}))
-      ->capture_default_str();
-  app.add_option("--drafts", parsed.map.drafts, "float: of the height, mm or grams; default 20%,40%,60%,80%")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  add_field(app, parsed, "--axes", "axes", "directions of the sphere; default 2000");
+  add_field(app, parsed, "--through", "through",
+            "axes run through the lowest point (default), or the solid's centre of mass");
+  add_field(app, parsed, "--drafts", "drafts", "float: of the height, mm or grams; default 20%,40%,60%,80%");
   app.add_option("--json", parsed.map.json_file, "write it all as JSON; - for standard output");
   app.add_option("--record", parsed.map.record_file, "write the map as HDF5");
 }

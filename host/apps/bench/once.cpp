@@ -34,7 +34,6 @@ void print_certificate(const RunResult& r) {
 void print_result(const RunResult& r, const TriangleMesh& outer) {
   const Outcome& o = r.outcome;
   const Vec3 size = bounding_box(outer).extent();
-  const Eigen::Vector3d c = centre_of_mass(r.rounding.moments) * r.length_mm;
   fmt::print("{}: {} by {} with {} on {}{}\n", r.body_name, r.config.problem, r.config.formulation,
              solver_of(r.config), r.provenance.device,
              r.provenance.single_precision ? " (single precision, compensated)" : "");
@@ -58,6 +57,10 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
   if (r.certificate) print_certificate(r);
   fmt::print("  objective  {:.6f} (the solid body: {:.6f}); violation {:.1e}\n", o.objective,
              r.solid_objective, o.violation);
+  if (r.config.part == Part::none) {
+    fmt::print("  part       {}\n", no_part);
+    return;
+  }
   if (r.domain == "exact")
     fmt::print("  meshed     {:.6f}; violation {:.1e}; a smooth cavity of {} triangles, {} correction{}\n",
                r.rounding.objective, r.rounding.violation, r.verified.void_triangles, r.rounding.corrections,
@@ -68,6 +71,7 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
         "manifold, {} moved to meet the constraints\n",
         r.rounding.objective, r.rounding.violation, r.rounding.void_voxels, r.interior_voxels,
         r.rounding.mended_voxels, r.rounding.moved_voxels);
+  const Eigen::Vector3d c = centre_of_mass(r.rounding.moments) * r.length_mm;
   fmt::print("  part       {:.4g} g, centre of mass {:.3f},{:.3f},{:.3f} mm in the body frame\n",
              r.rounding.moments[S1] * r.mass_unit_grams, c[0], c[1], c[2]);
   fmt::print("  verified   {}\n", r.verified.verdict.text);
