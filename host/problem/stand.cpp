@@ -55,7 +55,7 @@ Verdict verdict_of(const Base& base, const Moments& s, double length_mm, double 
 
 }  // namespace
 
-Stand::Stand(Base base, std::optional<double> margin) : base_(std::move(base)) {
+Stand::Stand(Base base, std::optional<double> margin) : base_(std::move(base)), margin_(margin) {
   LinearConstraints& c = constraints_;
   if (!margin) {
     c.matrix.setZero(2, 10);

@@ -119,6 +119,11 @@ RecordSummary read_record(const std::filesystem::path& path) {
   if (rounding.has("moved_voxels"))
     summary.moved_voxels = static_cast<std::size_t>(rounding.integer("moved_voxels"));
   const Group verified = file.group("verified");
+  if (verified.has("voids")) {  // early records have none of these
+    summary.voids = static_cast<std::size_t>(verified.integer("voids"));
+    summary.islands = static_cast<std::size_t>(verified.integer("islands"));
+    summary.cuts = static_cast<std::size_t>(verified.integer("cuts"));
+  }
   summary.written = moments_of(verified, "moments", name);
   summary.verified_ok = verified.integer("ok") != 0;
   summary.verified_text = verified.text("text");

@@ -42,6 +42,7 @@ struct RecordSummary {
   std::string domain;                ///< columns or exact
   double rounded_objective = 0, rounded_violation = 0;
   std::size_t mended_voxels = 0, moved_voxels = 0;
+  std::size_t voids = 0, islands = 0, cuts = 0;  ///< pieces of the void, loose in it, planes that open all
   bool verified_ok = false;
   std::string verified_text;
   double length_mm = 1, mass_unit_grams = 1;  ///< one body unit in model units

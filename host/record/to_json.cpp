@@ -64,6 +64,13 @@ json rounding(const RoundingCost& cost) {
           {"mended_voxels", cost.mended_voxels}, {"moved_voxels", cost.moved_voxels}};
 }
 
+json cuts(const Voids& voids) {
+  json all = json::array();
+  for (const Cut& c : voids.cuts)
+    all.push_back({{"normal", list(c.normal)}, {"offset", c.offset}, {"opens", c.opens}});
+  return all;
+}
+
 /// The problem's own values stand beside ours; ours win should the names ever meet.
 json verified(const Verified& v) {
   json all = json::object();
@@ -144,6 +151,9 @@ json to_json(const RunResult& r) {
       {"boxes", r.certificate ? json(r.certificate->boxes.size()) : json()},
       {"certify_seconds", r.certificate ? json(r.certificate->seconds) : json()},
       {"rounding", rounding(r.rounding)},
+      {"voids", r.voids.pieces},
+      {"islands", r.voids.islands},
+      {"cuts", cuts(r.voids)},
       {"verified", verified(r.verified)},
       {"evaluations", evaluations(o.evaluations)},
       {"config", describe(r.config)},

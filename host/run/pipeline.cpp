@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 #include <utility>
 
 #include "body/mesh_moments.hpp"
@@ -88,6 +90,15 @@ struct Temporary {
   }
 };
 
+/// The voids of the part as it is written, opened across the model's own axes or the solid's principal ones.
+Voids voids_of(const RunOutput& output, const Body& body) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia_about_centre(body.solid));
+  std::vector<Vec3> directions = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  for (int k = 0; k < 3; ++k)
+    directions.emplace_back(body.frame.rotation.transpose() * principal.eigenvectors().col(k));
+  return find_voids({output.outer, output.cavity}, directions);
+}
+
 Verified write_and_verify(const RunOutput& output, const Body& body, const Problem& problem,
                           const std::string& file) {
   const Temporary temporary{
@@ -100,6 +111,12 @@ Verified write_and_verify(const RunOutput& output, const Body& body, const Probl
 
   Verified verified;
   verified.verdict = part.verdict;
+  const std::vector<double>& islands = output.result.voids.islands;
+  if (!islands.empty() && body.void_density == 0)
+    verified.verdict.text +=
+        fmt::format("; but {} piece{} of {:.3g} mm^3 lie{} loose in the void{}", islands.size(),
+                    islands.size() == 1 ? "" : "s", std::accumulate(islands.begin(), islands.end(), 0.0),
+                    islands.size() == 1 ? "s" : "", islands.size() == 1 ? "" : "s");
   verified.file = file;
   verified.moments = part.moments;
   verified.triangles = part.triangles;
@@ -173,6 +190,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   const FormulationEntry& way = find_formulation(config.formulation);
   (void)domain_of(config);
   const SolverEntry& solver = find_solver(solver_of(config), way.name);
+  require_problem(solver, asked.name);
   SolverOptions options = parse_solver_options(settings_of(config, "solver"));
   options.own = settings_of(config, solver.name);
   device::Device device(config.device,
@@ -246,6 +264,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   output.outer = body.mesh;
   output.cavity = to_model(body.frame, domain.exact ? mesh_cavity(r, task, body, solver, options, fit)
                                                     : round_to_voxels(r, task, fit));
+  r.voids = voids_of(output, body);
   r.verified = write_and_verify(output, body, *problem, mesh_file);
   return output;
 }

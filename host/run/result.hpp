@@ -7,6 +7,7 @@
 
 #include "body/frame.hpp"
 #include "domain/exact.hpp"
+#include "fabricate/voids.hpp"
 #include "run/config.hpp"
 #include "run/provenance.hpp"
 #include "solve/certificate.hpp"
@@ -72,6 +73,7 @@ struct RunResult {
   std::vector<Seconds> samples;            ///< every timed solve
   Seconds median;                          ///< of each column of samples
   RoundingCost rounding;
+  Voids voids;  ///< of the written part: model coordinates, mm
   Verified verified;
 
   /// How far the objective may be above the least there is, as a share of it; infinite where nothing was

@@ -45,7 +45,7 @@ ATTRIBUTES = {
     },
     "/verified": {
         "ok": FLAG, "text": TEXT, "file": TEXT, "rounding_mismatch": REAL, "triangles": WHOLE,
-        "void_triangles": WHOLE,
+        "void_triangles": WHOLE, "voids": WHOLE, "islands": WHOLE, "cuts": WHOLE,
     },
 }
 
@@ -79,6 +79,9 @@ DATASETS = {
     "/solve/median": ("f8", (1, 4), SECONDS),
     "/rounding/moments": ("f8", (10,), MOMENTS),
     "/verified/moments": ("f8", (10,), MOMENTS),
+    "/voids/pieces": ("f8", (None,), None),
+    "/voids/islands": ("f8", (None,), None),
+    "/voids/cuts": ("f8", (None, 5), ["nx", "ny", "nz", "offset", "opens"]),
 }
 
 CERTIFIED_DATASETS = {

@@ -70,6 +70,7 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
         r.rounding.mended_voxels, r.rounding.moved_voxels);
   fmt::print("  part       {:.4g} g, centre of mass {:.3f},{:.3f},{:.3f} mm in the body frame\n",
              r.rounding.moments[S1] * r.mass_unit_grams, c[0], c[1], c[2]);
+  if (!r.voids.pieces.empty()) fmt::print("  voids      {}\n", r.voids.text());
   fmt::print("  verified   {}\n", r.verified.verdict.text);
   if (!r.verified.file.empty())
     fmt::print("  written    {} ({} triangles, {} of them around voids)\n", r.verified.file,
