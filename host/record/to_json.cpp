@@ -82,6 +82,13 @@ json verified(const Verified& v) {
   all["rounding_mismatch"] = v.rounding_mismatch;
   all["triangles"] = v.triangles;
   all["void_triangles"] = v.void_triangles;
+  all["materials"] = json::array();
+  for (const WrittenMaterial& m : v.materials)
+    all["materials"].push_back({{"name", m.name},
+                                {"density", m.density},
+                                {"mass_g", m.grams},
+                                {"file", m.file.string()},
+                                {"triangles", m.triangles}});
   return all;
 }
 
@@ -144,6 +151,8 @@ json to_json(const RunResult& r) {
       {"wall", r.wall * r.length_mm},
       {"wall_setting", to_string(r.config.wall)},
       {"density", r.density},
+      {"interior_density", r.interior_density},
+      {"void_density", r.void_density},
       {"solid_mass_g", r.solid_mass_grams},
       {"bound", r.certificate ? json(r.certificate->bound) : json()},
       {"gap", r.certificate ? json(r.gap()) : json()},

@@ -47,6 +47,8 @@ void write_body(Group group, const RunResult& r) {
   group.set("name", r.body_name);
   group.set("repairs", fmt::format("{}", fmt::join(r.repairs, "\n")));
   group.set("density", r.density);
+  group.set("interior_density", r.interior_density);
+  group.set("void_density", r.void_density);
   group.set("density_units", "g/cm^3");
   group.set("solid_mass", r.solid_mass_grams);
   group.set("solid_mass_units", "g");
@@ -171,6 +173,14 @@ void write_verified(Group group, const Verified& v, const Voids& voids) {
   group.set("islands", voids.islands.size());
   group.set("cuts", voids.cuts.size());
   write_moments(group, "moments", v.moments);
+  Group materials = group.new_group("materials");
+  for (const WrittenMaterial& m : v.materials) {
+    Group material = materials.new_group(m.name);
+    material.set("density", m.density);
+    material.set("mass", m.grams);
+    material.set("file", m.file.string());
+    material.set("triangles", m.triangles);
+  }
   Group values = group.new_group("values");  // apart: a problem chooses these names
   for (const auto& [name, value] : v.verdict.values) values.set(name, value);
 }

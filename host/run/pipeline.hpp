@@ -14,7 +14,7 @@ using Progress = std::function<void(const std::string& step)>;
 
 struct RunOutput {
   RunResult result;
-  TriangleMesh outer, cavity;  ///< the part as written: model coordinates, mm
+  TriangleMesh outer, cavity;  ///< of the part, and of its voids: model coordinates, mm
 };
 
 /// Body -> domain -> formulation -> solver (repeated) -> round -> void surface -> written file -> verdict.

@@ -25,7 +25,7 @@ ATTRIBUTES = {
         "ipopt_version": TEXT, "linear_solver": TEXT, "blas": TEXT, "started": TEXT,
     },
     "/body": {
-        "name": TEXT, "repairs": TEXT, "density": REAL, "density_units": TEXT, "solid_mass": REAL, "solid_mass_units": TEXT,
+        "name": TEXT, "repairs": TEXT, "density": REAL, "interior_density": REAL, "void_density": REAL, "density_units": TEXT, "solid_mass": REAL, "solid_mass_units": TEXT,
         "length": REAL, "length_units": TEXT, "mass_unit": REAL, "mass_unit_units": TEXT,
         "solid_objective": REAL,
     },
@@ -48,6 +48,9 @@ ATTRIBUTES = {
         "void_triangles": WHOLE, "voids": WHOLE, "islands": WHOLE, "cuts": WHOLE,
     },
 }
+
+# Of each material in /verified/materials.
+MATERIAL = {"density": REAL, "mass": REAL, "file": TEXT, "triangles": WHOLE}
 
 # Of a certified run alone.
 CERTIFIED = {
@@ -114,6 +117,9 @@ def check(file):
     if "certificate" in file:
         attributes = {g: ATTRIBUTES.get(g, {}) | CERTIFIED.get(g, {}) for g in ATTRIBUTES | CERTIFIED}
         datasets |= CERTIFIED_DATASETS
+    materials = file["verified/materials"]
+    expect(len(materials) > 0, "no materials")
+    attributes = attributes | {f"/verified/materials/{name}": MATERIAL for name in materials}
     for group, wanted in attributes.items():
         for name, kind in wanted.items():
             value = file[group].attrs.get(name)

@@ -79,6 +79,8 @@ RunResult made_by_hand() {
   r.verified.verdict = {true, "spins", {{"off_axis", 1e-5}, {"omega_min_rpm", nan}}};
   r.verified.file = "part.stl";
   r.verified.triangles = 100;
+  r.verified.materials = {{"shell", 1.17, "part.stl", 80, 3.5},
+                          {"interior", 8.1, "part-interior.stl", 20, 7}};
   r.verified.void_triangles = 20;
   return r;
 }
