@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "error.hpp"
 #include "record/hdf5_file.hpp"
@@ -123,10 +124,15 @@ RecordSummary read_record(const std::filesystem::path& path) {
     summary.voids = static_cast<std::size_t>(verified.integer("voids"));
     summary.islands = static_cast<std::size_t>(verified.integer("islands"));
     summary.cuts = static_cast<std::size_t>(verified.integer("cuts"));
+    const std::vector<double> volumes = file.group("voids").read("pieces").values;
+    summary.voids_mm3 = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+    summary.largest_void_mm3 = volumes.empty() ? 0 : volumes.front();
   }
   summary.written = moments_of(verified, "moments", name);
   summary.verified_ok = verified.integer("ok") != 0;
   summary.verified_text = verified.text("text");
+  const Group values = verified.group("values");
+  for (const std::string& value : values.attributes()) summary.verified_values[value] = values.real(value);
   return summary;
 }
 
