@@ -181,11 +181,11 @@ def check_masses(file, domain, expect):
     def same(one, other):
         return np.allclose(one, other, rtol=1e-9, atol=1e-12)
 
-    config = file["config"].attrs
-    share = float(config.get("void-density", 0)) / file["body"].attrs["density"]
-    expect(same(domain.contrast, 1 - share), "the contrast is not that of the densities")
+    config, shell = file["config"].attrs, file["body"].attrs["density"]
+    light, heavy = sorted((float(config.get("interior-density", shell)), float(config.get("void-density", 0))))
+    expect(same(domain.contrast, (heavy - light) / shell), "the contrast is not that of the densities")
     expect(same(domain.interior, file["body/interior"][:]), "the interior is not that of the intervals")
-    expect(same(domain.fixed + domain.contrast * domain.interior, file["body/solid"][:]),
+    expect(same(domain.fixed + (1 - light / shell) * domain.interior, file["body/solid"][:]),
            "shell and interior do not add up to the solid")
 
 

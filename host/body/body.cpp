@@ -40,10 +40,15 @@ Vec3 direction(const Vec3& v, const char* option) {
 void require_valid(const BodySpec& spec) {
   if (!(spec.density > 0) || !std::isfinite(spec.density))
     throw InputError(fmt::format("density {} g/cm^3; expected > 0", spec.density));
-  if (!(spec.void_density >= 0 && spec.void_density < spec.density))
-    throw InputError(
-        fmt::format("void density {} g/cm^3 in a material of {}; expected 0 or more, and less than it",
-                    spec.void_density, spec.density));
+  const double interior = spec.interior_density.value_or(spec.density);
+  if (!(interior > 0) || !std::isfinite(interior))
+    throw InputError(fmt::format("interior density {} g/cm^3; expected > 0", interior));
+  if (!(spec.void_density >= 0) || !std::isfinite(spec.void_density))
+    throw InputError(fmt::format("void density {} g/cm^3; expected 0 or more", spec.void_density));
+  if (spec.void_density == interior)
+    throw InputError(fmt::format(
+        "void density {} g/cm^3 in an interior of {}; expected another than it: there is nothing to design",
+        spec.void_density, interior));
   if (spec.size && (!(*spec.size > 0) || !std::isfinite(*spec.size)))
     throw InputError(fmt::format("size {} mm; expected > 0", *spec.size));
 }
@@ -77,6 +82,7 @@ Body make_body(const BodySpec& spec, Source source, device::Device& device) {
   body.name = source.name;
   body.repairs = std::move(source.repairs);
   body.density = spec.density;
+  body.interior_density = spec.interior_density.value_or(spec.density);
   body.void_density = spec.void_density;
   const std::optional<double> size = spec.size ? spec.size : source.size;
   const double scale = size ? *size / bounding_box(source.mesh).extent().maxCoeff() : source.millimetres;
@@ -113,8 +119,8 @@ void reframe(Body& body, const Body& made, const Vec3& axis, const Vec3& contact
 }
 
 MassModel hollowed(const Body& body, const Moments& interior) {
-  const double contrast = 1 - body.void_share();
-  return {body.solid - contrast * interior, contrast};
+  const auto [light, heavy] = std::minmax(body.interior_density, body.void_density);
+  return {body.solid + (light / body.density - 1) * interior, (heavy - light) / body.density, interior};
 }
 
 }  // namespace kreisel

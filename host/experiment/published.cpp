@@ -24,6 +24,19 @@ std::optional<PublishedRow::Inertia> inertia(const nlohmann::json& row) {
   return PublishedRow::Inertia{found.at("before").get<Six>(), found.at("after").get<Six>()};
 }
 
+std::optional<PublishedRow::Standing> standing(const nlohmann::json& row) {
+  if (!row.contains("standing")) return std::nullopt;
+  const auto& found = row.at("standing");
+  return PublishedRow::Standing{found.at("height_percent").get<double>(),
+                                found.at("tilt_degrees").get<double>()};
+}
+
+std::optional<PublishedRow::Voids> voids(const nlohmann::json& row) {
+  if (!row.contains("voids")) return std::nullopt;
+  const auto& found = row.at("voids");
+  return PublishedRow::Voids{found.at("pieces").get<int>(), found.at("cuts").get<int>()};
+}
+
 }  // namespace
 
 const PublishedRow* Published::find(const std::string& model, const std::optional<std::array<int, 3>>& grid,
@@ -46,10 +59,14 @@ Published read_published(const std::filesystem::path& file) {
       out.model = row.at("model").get<std::string>();
       if (row.contains("grid")) out.grid = row.at("grid").get<std::array<int, 3>>();
       out.problem = row.value("problem", "");
+      out.label = row.value("label", "");
+      out.solver = row.value("solver", "");
       out.rayrep = side(row, "rayrep");
       out.voxel = side(row, "voxel");
       if (row.contains("speedup")) out.speedup = row.at("speedup").get<double>();
       out.inertia = inertia(row);
+      out.standing = standing(row);
+      out.voids = voids(row);
     }
     return published;
   } catch (const nlohmann::json::exception& error) {

@@ -19,12 +19,23 @@ struct PublishedRow {
   struct Inertia {
     std::array<double, 6> before{}, after{};
   };
+  /// Height of the centre of mass, per cent of the body's, and the tilt at which it topples.
+  struct Standing {
+    double height_percent = 0, tilt_degrees = 0;
+  };
+  /// Pieces of the void, and planar cuts to get at them.
+  struct Voids {
+    int pieces = 0, cuts = 0;
+  };
   std::string model;                       ///< as this project names it; the file says how the paper does
   std::optional<std::array<int, 3>> grid;  ///< cells along x, y, z
   std::string problem;                     ///< empty: the paper's only one
+  std::string label, solver;               ///< of a run; empty: any
   std::optional<Side> rayrep, voxel;
   std::optional<double> speedup;  ///< as printed there, from times that were not rounded
   std::optional<Inertia> inertia;
+  std::optional<Standing> standing;
+  std::optional<Voids> voids;
 };
 
 struct Published {

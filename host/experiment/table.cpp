@@ -13,7 +13,9 @@
 #include "experiment/runner.hpp"
 #include "experiment/settings_table.hpp"
 #include "experiment/speedup_table.hpp"
+#include "experiment/standing_table.hpp"
 #include "experiment/table_parts.hpp"
+#include "experiment/voids_table.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel {
@@ -29,6 +31,10 @@ const std::vector<TableKind>& table_kinds() {
       {"certificate", "a row a run: certified bound, gap, boxes, seconds", certificate_tables},
       {"maps", "a row a map of orientations and draft: how much is feasible, which axis is best",
        maps_tables},
+      {"standing",
+       "a block a body: height of the centre of mass and tilt, by target and solver, beside a paper",
+       standing_tables},
+      {"voids", "a row a run: pieces of the void, islands, planar cuts, beside a paper", voids_tables},
       {"inertia", "a block a run: inertia tensor and principal moments before and after", inertia_tables},
   };
   return all;

@@ -98,6 +98,7 @@ const std::map<std::string_view, Setter>& setters() {
       {"unit", [](C c, S, S v) { c.body.unit = find_length_unit(v); }},
       {"size", [](C c, S k, S v) { c.body.size = number(k, v); }},
       {"density", [](C c, S k, S v) { c.body.density = number(k, v); }},
+      {"interior-density", [](C c, S k, S v) { c.body.interior_density = number(k, v); }},
       {"void-density", [](C c, S k, S v) { c.body.void_density = number(k, v); }},
       {"fineness", [](C c, S k, S v) { c.body.fineness = whole(k, v, 1); }},
       // A name that nobody knows is told where it is written, not when its turn comes.
@@ -221,6 +222,8 @@ std::map<std::string, std::string> describe(const RunConfig& config) {
   fields["resolution"] = text_of(config.grid);
   fields["wall"] = to_string(config.wall);
   fields["density"] = fmt::format("{}", config.body.density);
+  if (config.body.interior_density)
+    fields["interior-density"] = fmt::format("{}", *config.body.interior_density);
   if (config.body.void_density != 0) fields["void-density"] = fmt::format("{}", config.body.void_density);
   if (config.body.axis) fields["axis"] = text_of(*config.body.axis);
   if (config.body.up) fields["up"] = text_of(*config.body.up);

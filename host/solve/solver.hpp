@@ -79,12 +79,16 @@ struct SolverEntry {
   Outcome (*solve)(const Task& task, const SolverOptions& options);
   /// Names of the formulations it works with.
   std::vector<std::string_view> formulations;
+  std::vector<std::string_view> problems = {};  ///< that it is made for; empty: all
 };
 
 [[nodiscard]] const std::vector<SolverEntry>& solvers();
 
 /// @throws InputError  unknown solver, or one that cannot work with the formulation
 [[nodiscard]] const SolverEntry& find_solver(std::string_view name, std::string_view formulation);
+
+/// @throws InputError  a solver that is not made for the problem
+void require_problem(const SolverEntry& solver, std::string_view problem);
 
 /// The first solver that works with a formulation. @throws InputError  unknown formulation
 [[nodiscard]] const SolverEntry& default_solver(std::string_view formulation);

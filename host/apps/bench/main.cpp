@@ -41,7 +41,8 @@ constexpr std::pair<const char*, const char*> fields[] = {
     {"up", "up direction x,y,z; default the model's, else 0,0,1"},
     {"unit", "of an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm"},
     {"size", "longest side in mm; default as the model is"},
-    {"density", "g/cm^3; default 1"},
+    {"density", "of the shell, g/cm^3; default 1"},
+    {"interior-density", "of what is left of the interior, g/cm^3; default the shell's"},
     {"void-density", "of what fills the voids, g/cm^3; default 0"},
     {"fineness", "of a parametric model: about 20 n^2 triangles"},
     {"device", "index or part of a name; default KREISEL_DEVICE, else a GPU, else PoCL"},
@@ -110,8 +111,9 @@ void add_inspect_options(CLI::App& app, Parsed& parsed) {
 }
 
 void add_map_options(CLI::App& app, Parsed& parsed) {
-  constexpr std::string_view used[] = {"model",        "resolution", "wall",   "size",     "density",
-                                       "void-density", "fineness",   "device", "precision"};
+  constexpr std::string_view used[] = {"model",   "resolution",       "wall",         "size",
+                                       "density", "interior-density", "void-density", "fineness",
+                                       "device",  "precision"};
   for (const auto& [name, help] : fields)
     if (std::ranges::find(used, std::string_view(name)) != std::end(used))
       add_field(app, parsed, name == std::string_view("model") ? "model,--model" : fmt::format("--{}", name),

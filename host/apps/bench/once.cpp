@@ -31,6 +31,26 @@ void print_certificate(const RunResult& r) {
     fmt::print("  better     f = {:.6f} was found on the way, by --formulation quadric\n", c.best);
 }
 
+/// What is of which density, where that takes more than one number.
+void print_materials(const RunResult& r) {
+  if (r.interior_density == r.density && r.void_density == 0) return;
+  fmt::print("  materials  shell {:.4g}, interior {:.4g}, voids {:.4g} g/cm^3{}\n", r.density,
+             r.interior_density, r.void_density,
+             r.void_density > r.interior_density ? ": solid, below, is the voids' filling" : "");
+}
+
+void print_files(const Verified& v) {
+  if (v.file.empty()) return;
+  if (v.materials.size() == 1) {
+    fmt::print("  written    {} ({} triangles, {} of them around voids)\n", v.file, v.triangles,
+               v.void_triangles);
+    return;
+  }
+  for (const WrittenMaterial& m : v.materials)
+    fmt::print("  written    {}: {} of {:.4g} g/cm^3, {:.4g} g ({} triangles)\n", m.file.string(), m.name,
+               m.density, m.grams, m.triangles);
+}
+
 void print_result(const RunResult& r, const TriangleMesh& outer) {
   const Outcome& o = r.outcome;
   const Vec3 size = bounding_box(outer).extent();
@@ -72,12 +92,12 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
         r.rounding.objective, r.rounding.violation, r.rounding.void_voxels, r.interior_voxels,
         r.rounding.mended_voxels, r.rounding.moved_voxels);
   const Eigen::Vector3d c = centre_of_mass(r.rounding.moments) * r.length_mm;
+  print_materials(r);
   fmt::print("  part       {:.4g} g, centre of mass {:.3f},{:.3f},{:.3f} mm in the body frame\n",
              r.rounding.moments[S1] * r.mass_unit_grams, c[0], c[1], c[2]);
+  if (!r.voids.pieces.empty()) fmt::print("  voids      {}\n", r.voids.text());
   fmt::print("  verified   {}\n", r.verified.verdict.text);
-  if (!r.verified.file.empty())
-    fmt::print("  written    {} ({} triangles, {} of them around voids)\n", r.verified.file,
-               r.verified.triangles, r.verified.void_triangles);
+  print_files(r.verified);
 }
 
 int exit_code(Termination termination) {
