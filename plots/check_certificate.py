@@ -90,28 +90,50 @@ def box_quadric(box, c, t):
     return q
 
 
-def least_in(box, weight, gamma):
-    """The least weight * c + gamma * max(t(c), 0)^2 in the box, t straight between its ends: convex in c."""
-    low, high, t0, t1 = (box[k] for k in ("c_low", "c_high", "t_low", "t_high"))
+def least_between(rate, bend, gamma, ends, t):
+    """The least rate w + bend w^2 + gamma max(t(w), 0)^2 between two ends, t straight between them: convex in w."""
+    (w0, w1), (t0, t1) = ends, t
     shares = [0.0, 1.0]
-    if high > low and t1 != t0:
-        slope = (t1 - t0) / (high - low)
-        for t in (-weight / (2 * gamma * slope), 0.0):
-            shares.append(min(max((t - t0) / (t1 - t0), 0.0), 1.0))
+    if w1 > w0:
+        slope = (t1 - t0) / (w1 - w0)
+        curved = bend + gamma * slope * slope
+        places = [-(rate / 2 + gamma * slope * (t0 - slope * w0)) / curved] if curved > 0 else []
+        places += [-rate / (2 * bend)] if bend > 0 else []
+        places += [w0 - t0 / slope] if slope != 0 else []
+        shares += [min(max((w - w0) / (w1 - w0), 0.0), 1.0) for w in places]
     # A minimum is flat: the arithmetic of its place does not count.
-    return min(weight * (low + s * (high - low)) + gamma * max(t0 + s * (t1 - t0), 0) ** 2 for s in shares)
+    values = []
+    for share in shares:
+        w, height = w0 + share * (w1 - w0), max(t0 + share * (t1 - t0), 0)
+        values.append(rate * w + bend * w * w + gamma * height**2)
+    return min(values)
+
+
+def weights_of(file, expect):
+    """Weights of c_z, c_z^2 and the inertia ratio, which must be those of the run."""
+    config, stored = file["config"].attrs, file["certificate"].attrs
+    problem, gamma_c = config["problem"], float(config.get("problem.gamma_c", 1))
+    lower = config.get("problem.lower", "mass") if problem == "top" else "none"
+    want = {"lambda": float(config.get("problem.lambda", 0)) if problem == "spin" else 0,
+            "height": gamma_c if lower == "height" else 0,
+            "gamma_i": float(config.get("problem.gamma_i", 1))}
+    for name, value in want.items():
+        expect(stored.get(name, 0) == value, f"{name} is not the run's")
+    return want["lambda"], want["height"], want["gamma_i"]
+
+
+def inertia_ratio(s):
+    c = s[Z] / s[0]
+    j = np.array([s[YY] + s[ZZ] - c * s[Z], s[XX] + s[ZZ] - c * s[Z], math.sqrt(2) * s[XY]])
+    return (j @ j) / (s[XX] + s[YY]) ** 2
 
 
 def check_spin(file, domain, expect):
     certificate = file["certificate"]
-    weight, gamma = certificate.attrs["lambda"], certificate.attrs["gamma_i"]
-    config = file["config"].attrs
-    expect(weight == float(config.get("problem.lambda", 0)), "lambda is not the run's")
-    expect(gamma == float(config.get("problem.gamma_i", 1)), "gamma_i is not the run's")
+    rate, bend, gamma = weights_of(file, expect)
     s = file["solve/moments"][:]
     c = s[Z] / s[0]
-    j = np.array([s[YY] + s[ZZ] - c * s[Z], s[XX] + s[ZZ] - c * s[Z], math.sqrt(2) * s[XY]])
-    f = weight * c + gamma * (j @ j) / (s[XX] + s[YY]) ** 2
+    f = rate * c + bend * c * c + gamma * inertia_ratio(s)
 
     table = certificate["boxes"]
     names = list(table.attrs["columns"])
@@ -120,7 +142,12 @@ def check_spin(file, domain, expect):
     expect(len(boxes) > 0 and len(quadrics) == len(boxes), "no boxes, or not two quadrics for each")
     if not boxes:
         return f, -math.inf
-    expect(boxes[0]["c_low"] == -math.inf and boxes[-1]["c_high"] == math.inf, "the boxes do not reach to infinity")
+    if certificate.attrs["kind"] == "yoyo":
+        expect(file["config"].attrs["problem"] == "yoyo", "nothing holds the centre of mass at the origin")
+        expect(len(boxes) == 1 and boxes[0]["c_low"] == boxes[0]["c_high"] == 0, "not the one box of the height 0")
+    else:
+        expect(boxes[0]["c_low"] == -math.inf and boxes[-1]["c_high"] == math.inf,
+               "the boxes do not reach to infinity")
     for i, (box, pair) in enumerate(zip(boxes, quadrics)):
         if i > 0:
             expect(box["c_low"] <= boxes[i - 1]["c_high"], f"nothing covers the heights before box {i}")
@@ -142,7 +169,7 @@ def check_spin(file, domain, expect):
         if box["empty"]:
             expect(box["value"] == math.inf, f"box {i} is empty, with a value")
         else:
-            least = least_in(box, weight, gamma)
+            least = least_between(rate, bend, gamma, (box["c_low"], box["c_high"]), (box["t_low"], box["t_high"]))
             expect(box["value"] <= least + 4 * EPS * abs(least), f"box {i}: {box['value']} > {least}")
     return f, min(box["value"] for box in boxes)
 
@@ -197,7 +224,8 @@ def check_infeasible(file, domain, expect):
     return None, math.inf
 
 
-KINDS = {"linear": check_linear, "ratio": check_ratio, "spin": check_spin, "infeasible": check_infeasible}
+KINDS = {"linear": check_linear, "ratio": check_ratio, "spin": check_spin, "yoyo": check_spin,
+         "infeasible": check_infeasible}
 
 
 def check(file):

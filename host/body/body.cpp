@@ -96,6 +96,7 @@ Body make_body(const BodySpec& spec, Source source, device::Device& device) {
   if (spec.contact) require_near_axis(body);
 
   const Moments about_origin = mesh_moments(body.mesh, device);
+  if (spec.centred && !spec.contact) body.contact = centre_of_mass(about_origin);
   body.frame = {axis_to_z(body.axis), body.contact, std::cbrt(about_origin[S1])};
   body.local = to_body(body.frame, body.mesh);
   body.solid = mesh_moments(body.local, device);

@@ -28,6 +28,8 @@ struct BodySpec {
   int fineness = 0;           ///< of a parametric model; 0: the model's own default
   /// The body frame's z is `up`, not the spin axis, unless `axis` is given.
   bool stands_upright = false;
+  /// Where no contact is given, the origin is the solid's centre of mass.
+  bool centred = false;
 };
 
 /// A solid of uniform density. Body units: lengths in L = V^(1/3), masses in the solid's own mass.

@@ -52,6 +52,7 @@ void write_certificate(hdf5::Group group, const Certificate& c) {
   group.set("separation", c.separation);
   group.set("contrast", c.contrast);
   group.set("lambda", c.spin.lambda);
+  group.set("height", c.spin.height);
   group.set("gamma_i", c.spin.gamma_i);
   write_forms(group, "q", c.q.transpose());
   write_forms(group, "rows", c.rows.matrix);

@@ -182,9 +182,11 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   const Stopwatch setup;
   BodySpec spec = config.body;
   spec.stands_upright = asked.upright;
+  spec.centred = asked.centred;
   const Body body = make_body(spec, device);
   stop_if_interrupted();
   const std::unique_ptr<Problem> problem = asked.make(settings_of(config, "problem"), body);
+  require_form(solver, *problem);
   const RunDomain domain(config, body);
   stop_if_interrupted();
   const MassModel mass = hollowed(body, domain.interior());

@@ -63,7 +63,8 @@ const std::vector<SolverEntry>& solvers() {
       {"ipopt",
        "interior point: lifted exact Hessian, or L-BFGS (ipopt.hessian_approximation=limited-memory)",
        solve_with_ipopt,
-       {"voxel", "rayrep"}},
+       {"voxel", "rayrep"},
+       true},
       {"moment",
        "sequential quadratic programming and Newton's method in the ten moments (docs/quadric.md)",
        solve_with_moments,
@@ -79,6 +80,14 @@ const SolverEntry& find_solver(std::string_view name, std::string_view formulati
     throw InputError(fmt::format("solver '{}' does not work with formulation '{}'; it works with: {}", name,
                                  formulation, fmt::join(entry->formulations, ", ")));
   return *entry;
+}
+
+void require_form(const SolverEntry& solver, const Problem& problem) {
+  if (problem.auxiliary() && !solver.auxiliary)
+    throw InputError(
+        fmt::format("problem.form = angle does not work with solver '{}', which knows the moments alone; "
+                    "expected trace, the same problem, or solver ipopt",
+                    solver.name));
 }
 
 const SolverEntry& default_solver(std::string_view formulation) {

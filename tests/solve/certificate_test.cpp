@@ -247,12 +247,12 @@ TEST(Certificate, OfABoxHoldsWhateverTheMultipliers) {
   for (int i = 0; i < 200; ++i) {
     const double c = centre_of_mass(all[static_cast<std::size_t>(i) % all.size()])[2];
     const double low = c - uniform(random, 0, 0.05), high = c + uniform(random, 0, 0.05);
-    BoxMultipliers m = minimise_box(oracle, low, high, near).multipliers;
+    BoxMultipliers m = minimise_box(oracle, problem.weights(), {low, high}, near).multipliers;
     const double noise = i % 4 == 0 ? 0 : std::pow(10.0, -(i % 4));
     for (double& u : m.u) u += uniform(random, -noise, noise);
     for (double& mu : m.mu) mu += uniform(random, -noise, noise);
     m.nu_low += uniform(random, -noise, noise);  // of any sign
-    const CertifiedBox box = certify_box(support, problem.options(), low, high, m);
+    const CertifiedBox box = certify_box(support, problem.weights(), {low, high}, m);
     EXPECT_FALSE(box.empty);
     for (const Moments& s : all) {
       const double height = centre_of_mass(s)[2];

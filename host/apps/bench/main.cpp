@@ -36,7 +36,7 @@ constexpr std::pair<const char*, const char*> fields[] = {
     {"wall", "least wall: 1.5h (cells), 2% (of the longest side) or mm; default 1.5h"},
     {"rounding", "of the written part: nearest, or fitted so that the constraints hold (default)"},
     {"axis", "spin axis x,y,z in model coordinates; default up"},
-    {"contact", "a point of the axis, mm; default the lowest point along it"},
+    {"contact", "a point of the axis, mm; default the lowest along it, for yoyo the centre of mass"},
     {"up", "up direction x,y,z; default the model's, else 0,0,1"},
     {"unit", "of an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm"},
     {"size", "longest side in mm; default as the model is"},
@@ -52,6 +52,7 @@ constexpr std::pair<const char*, const char*> fields[] = {
 /// Settings of problems with an option of their own: option, setting, help.
 constexpr std::tuple<const char*, const char*, const char*> problem_settings[] = {
     {"target", "problem.target", "stand: centre, inside or max-tilt; default centre"},
+    {"lower", "problem.lower", "top: mass, height or none, beside the inertia ratio; default mass"},
     {"draft", "problem.draft", "float: 60% of the height, mm, grams (40g) or solid; default 60%"},
     {"fluid-density", "problem.fluid_density", "float: g/cm^3; default 1"},
     {"point", "problem.point", "balance: where the centre of mass is to be, x,y,z in mm"},
