@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "body/axle.hpp"
 #include "body/frame.hpp"
 #include "body/moments.hpp"
 #include "device/device.hpp"
@@ -28,8 +29,9 @@ struct BodySpec {
   int fineness = 0;           ///< of a parametric model; 0: the model's own default
   /// The body frame's z is `up`, not the spin axis, unless `axis` is given.
   bool stands_upright = false;
-  /// Where no contact is given, the origin is the solid's centre of mass.
+  /// Where no contact is given, the origin is the solid's centre of mass; and an axle may be asked for.
   bool centred = false;
+  AxleSpec axle;
 };
 
 /// A solid of uniform density. Body units: lengths in L = V^(1/3), masses in the solid's own mass.
@@ -42,7 +44,12 @@ struct Body {
   double density = 1.0;              ///< g/cm^3
   double void_density = 0.0;         ///< g/cm^3
   std::vector<std::string> repairs;  ///< what was mended in the file's mesh, one line each
-  Moments solid;  ///< of the whole solid, body frame and units; solid[S1] = 1 up to round-off
+  std::optional<Axle> axle;          ///< mm; the mesh then is both halves, and the axle not in it
+  /// What is fixed and not in the mesh, an axle of the same material; body frame and units.
+  Moments added = Moments::Zero();
+  /// Of the whole solid with what is added, body frame and units; the mesh's share of solid[S1] is 1 up to
+  /// round-off.
+  Moments solid;
 
   /// Density of the voids' filling in densities of the material.
   [[nodiscard]] double void_share() const { return void_density / density; }

@@ -13,6 +13,7 @@
 #include "experiment/settings_table.hpp"
 #include "experiment/speedup_table.hpp"
 #include "experiment/table_parts.hpp"
+#include "experiment/top_table.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel {
@@ -26,6 +27,8 @@ const std::vector<TableKind>& table_kinds() {
       {"formulations", "a block a body, a row a formulation: what it takes and what it reaches",
        formulations_tables},
       {"certificate", "a row a run: certified bound, gap, boxes, seconds", certificate_tables},
+      {"tops", "a row a run: height, moments and least speed of the solid and the part, beside a paper",
+       top_tables},
       {"inertia", "a block a run: inertia tensor and principal moments before and after", inertia_tables},
   };
   return all;

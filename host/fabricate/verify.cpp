@@ -18,7 +18,7 @@ WrittenPart verify_file(const std::filesystem::path& file, const Body& body, con
     // STL has no vertices of its own: where parts of the body touch along an edge, theirs became one.
     (void)separate_edges(mesh);
     require_solid(mesh, file.filename().string());
-    const Moments material = reference::mesh_moments(to_body(body.frame, mesh)).value;
+    const Moments material = reference::mesh_moments(to_body(body.frame, mesh)).value + body.added;
     part.moments = material + body.void_share() * (body.solid - material);  // what is void holds the filling
   } catch (const InputError& error) {
     part.verdict.text = fmt::format("the written mesh is not a solid: {}", error.what());

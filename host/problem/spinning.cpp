@@ -31,22 +31,6 @@ SquareRatio<10> inertia_ratio(const Moments& s) {
   return r;
 }
 
-/// The principal moments about the centre of mass, by the axis nearest to z.
-struct Principal {
-  explicit Principal(const Moments& s) : axes(inertia_about_centre(s)) {
-    for (int i = 1; i < 3; ++i)
-      if (std::abs(axes.eigenvectors()(2, i)) > std::abs(axes.eigenvectors()(2, spin))) spin = i;
-    about_axis = axes.eigenvalues()[spin];
-    lateral = axes.eigenvalues()[spin == 2 ? 1 : 2];
-  }
-  [[nodiscard]] double tilt_degrees() const {
-    return std::asin(std::min(1.0, axes.eigenvectors().col(spin).head<2>().norm())) * 180 / std::numbers::pi;
-  }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
-  int spin = 0;
-  double about_axis, lateral;  ///< the second is the larger of the two others
-};
-
 }  // namespace
 
 double SpinWeights::value(const Moments& s) const {
@@ -76,30 +60,41 @@ Spinning::Spinning(const SpinWeights& weights, bool centred, SpinForm form)
   if (form == SpinForm::angle) auxiliary_ = std::make_shared<PrincipalAngle>(weights);
 }
 
+SpinState spin_state(const Moments& s) {
+  const Eigen::Vector3d c = centre_of_mass(s);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia_about_centre(s));
+  int spin = 0;
+  for (int i = 1; i < 3; ++i)
+    if (std::abs(principal.eigenvectors()(2, i)) > std::abs(principal.eigenvectors()(2, spin))) spin = i;
+  const double sine = std::min(1.0, principal.eigenvectors().col(spin).head<2>().norm()),
+               about_axis = principal.eigenvalues()[spin],
+               lateral = principal.eigenvalues()[spin == 2 ? 1 : 2];
+  return {std::hypot(c[0], c[1]), c[2], std::asin(sine) * 180 / std::numbers::pi, about_axis, lateral,
+          about_axis / lateral};
+}
+
 double omega_min_rpm(const Moments& s, double length_mm) {
-  const Principal moments(s);
-  const double height = centre_of_mass(s)[2];
-  if (!(moments.about_axis > moments.lateral && height > 0)) return std::numeric_limits<double>::quiet_NaN();
+  const SpinState state = spin_state(s);
+  if (!(state.largest() && state.height > 0)) return std::numeric_limits<double>::quiet_NaN();
   constexpr double gravity = 9.80665;  // m/s^2
   const double length = length_mm * 1e-3;
-  return std::sqrt(s[S1] * gravity * height / ((moments.about_axis - moments.lateral) * length)) * 30 /
+  return std::sqrt(s[S1] * gravity * state.height / ((state.about_axis - state.lateral) * length)) * 30 /
          std::numbers::pi;
 }
 
 Verdict Spinning::verify(const Moments& s, double length_mm) const {
-  const Eigen::Vector3d c = centre_of_mass(s);
-  const Principal moments(s);
-  const double off_axis = std::hypot(c[0], c[1]), off = centred_ ? c.norm() : off_axis,
-               tilt = moments.tilt_degrees(), ratio = moments.about_axis / moments.lateral,
+  const SpinState state = spin_state(s);
+  const double off_axis = state.off_axis, off = centred_ ? centre_of_mass(s).norm() : off_axis,
+               tilt = state.tilt_degrees, ratio = state.moment_ratio,
                omega_min = centred_ ? std::numeric_limits<double>::quiet_NaN() : omega_min_rpm(s, length_mm);
   const std::string_view place = centred_ ? "the axle's centre" : "the axis";
-  const bool central = off <= 1e-3, upright = tilt <= 0.1, largest = moments.about_axis > moments.lateral;
+  const bool central = off <= 1e-3, upright = tilt <= 0.1, largest = state.largest();
 
   Verdict verdict;
   verdict.ok = central && upright && largest;
   verdict.values = {{"off_axis", off_axis},       {"off_axis_mm", off_axis * length_mm},
                     {"tilt_degrees", tilt},       {"largest_over_lateral", ratio},
-                    {"omega_min_rpm", omega_min}, {"centre_of_mass_z_mm", c[2] * length_mm},
+                    {"omega_min_rpm", omega_min}, {"centre_of_mass_z_mm", state.height * length_mm},
                     {"objective", value(s)}};
   const std::string where = fmt::format(
       "centre of mass {:.3f} mm off {} ({:.1e} L), axis tilted {:.3f} degrees, "

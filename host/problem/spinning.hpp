@@ -56,6 +56,19 @@ class Spinning : public Problem {
   std::shared_ptr<const Auxiliary> auxiliary_;
 };
 
+/// How a solid lies to the axis, body units.
+struct SpinState {
+  double off_axis;      ///< of the centre of mass
+  double height;        ///< of the centre of mass
+  double tilt_degrees;  ///< of the principal axis nearest to z
+  double about_axis;    ///< the moment about that one, through the centre of mass
+  double lateral;       ///< the larger of the two others
+  double moment_ratio;  ///< of the last two
+
+  [[nodiscard]] bool largest() const { return about_axis > lateral; }
+};
+[[nodiscard]] SpinState spin_state(const Moments& s);
+
 /// The least speed of a stable steady spin of a top on its tip, revolutions a minute [SpinIt, eq. 1]; NaN
 /// when the moment about the principal axis nearest to z is not the largest, or the centre of mass is no
 /// higher than the origin. @param length_mm  one body length in millimetres

@@ -209,7 +209,8 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   r.contact = body.contact;
   r.density = body.density;
   r.length_mm = body.frame.length;
-  r.mass_unit_grams = r.solid_mass_grams = body.mass_grams();
+  r.mass_unit_grams = body.mass_grams();
+  r.solid_mass_grams = body.axle ? body.solid[S1] * r.mass_unit_grams : r.mass_unit_grams;
   r.solid = body.solid;
   r.fixed = mass.fixed;
   describe(r, domain);
