@@ -56,6 +56,8 @@ class Cut {
     }
   }
 
+  [[nodiscard]] double height() const { return height_; }
+
   TriangleMesh out;
   std::map<std::uint32_t, std::uint32_t> rim;
 
@@ -121,16 +123,19 @@ TriangleMesh above_plane(const TriangleMesh& solid, double height, const BlindHo
   // The cap looks down: seen from above its outer loops run clockwise. In (y, x) they run the other way.
   std::vector<Loop> loops = loops_of(std::move(cut.rim));
   Loop ring;
-  if (!hole.polygon.empty()) {
-    const double z = out.vertices[loops.front().front()][2];
-    for (const Point2& p : hole.polygon) {
-      ring.push_back(static_cast<std::uint32_t>(out.vertices.size()));
-      out.vertices.emplace_back(p[0], p[1], z);
-    }
-    loops.push_back(ring);
+  for (const Point2& p : hole.polygon) {
+    ring.push_back(static_cast<std::uint32_t>(out.vertices.size()));
+    out.vertices.emplace_back(p[0], p[1], cut.height());
   }
   std::vector<Point2> flat;
   for (const Vec3& v : out.vertices) flat.push_back({v[1], v[0]});
+  if (!ring.empty()) {
+    const auto around = std::ranges::count_if(
+        loops, [&](const Loop& loop) { return inside_loop(flat, loop, flat[ring.front()]); });
+    if (around % 2 == 0)
+      throw InputError("a hole in the cut of the mesh would lie in air; expected material all around it");
+    loops.push_back(ring);
+  }
 
   // A hole of the section belongs to the smallest outer loop around it.
   std::vector<std::vector<Loop>> regions;
@@ -149,9 +154,7 @@ TriangleMesh above_plane(const TriangleMesh& solid, double height, const BlindHo
         home = i;
     if (home == regions.size())
       throw InputError(
-          &loop == &loops.back() && !ring.empty()
-              ? "a hole in the cut of the mesh would lie in air; expected material all around it"
-              : "a section of the mesh crosses itself; expected a mesh that does not run through itself");
+          "a section of the mesh crosses itself; expected a mesh that does not run through itself");
     regions[home].push_back(loop);
   }
   for (std::vector<Loop>& region : regions)

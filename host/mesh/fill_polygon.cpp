@@ -1,6 +1,7 @@
 #include "mesh/fill_polygon.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 

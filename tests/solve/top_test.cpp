@@ -2,13 +2,15 @@
 // other.
 #include "problem/top.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "error.hpp"
 #include "problem/yoyo.hpp"
-#include "solve/certificate.hpp"
+#include "solve/certified_cases.hpp"
 #include "solve/ways.hpp"
 
 namespace kreisel {
@@ -70,23 +72,8 @@ TEST_P(SpindleBy, FindsTheConeThatIsKnownByHand) {
 INSTANTIATE_TEST_SUITE_P(, SpindleBy, testing::ValuesIn(ways()),
                          [](const auto& p) { return name_of(p.param); });
 
-/// A brick that stands askew and off its axis.
-struct Brick {
-  Brick() {
-    const Eigen::Matrix3d tilt = Eigen::AngleAxisd(0.03, Vec3(0.6, 0.8, 0)).toRotationMatrix();
-    const Vec3 half(0.5, 0.4, 0.625);
-    const Body body = body_of(moved(box_mesh(-half, half), tilt, {0.015, -0.01, 0.65}));
-    GridSpec grid;
-    grid.resolution = 14;
-    domain = make_columns(body, grid, {1, Wall::cells});
-    mass = hollowed(body, domain.interior);
-  }
-  Columns domain;
-  MassModel mass;
-};
-
 TEST(AngleForm, HasTheOptimumOfTheTraceForm) {
-  const Brick on;
+  const Case on = top();
   for (const Way& way : {Way{"rayrep", "exact"}, Way{"rayrep", "limited-memory"}, Way{"voxel", "exact"},
                          Way{"voxel", "limited-memory"}})
     for (const Lower lower : {Lower::mass, Lower::none}) {
@@ -94,10 +81,10 @@ TEST(AngleForm, HasTheOptimumOfTheTraceForm) {
       const auto formulation = make_formulation(way.formulation, on.domain, {}, {}, test_device());
       Outcome by[2];
       for (const SpinForm form : {SpinForm::trace, SpinForm::angle}) {
-        const Top top({.lower = lower, .form = form});
+        const Top problem({.lower = lower, .form = form});
         Outcome& outcome = by[static_cast<int>(form)];
-        outcome = solve(find_solver("ipopt", way.formulation), {top, *formulation, on.mass, test_device()},
-                        options_of(way));
+        outcome = solve(find_solver("ipopt", way.formulation),
+                        {problem, *formulation, on.mass, test_device()}, options_of(way));
         EXPECT_TRUE(outcome.termination == Termination::optimal ||
                     outcome.termination == Termination::acceptable)
             << outcome.message;
@@ -120,7 +107,7 @@ TEST(AngleForm, IsRefusedBySolversThatKnowTheMomentsAlone) {
   EXPECT_NO_THROW(require_form(find_solver("ipopt", "voxel"), top));
 }
 
-TEST(Certificate, OfAYoyoIsOneQuadric) {
+TEST(YoyoCertificate, IsOneQuadric) {
   const Spindle on(0);
   const Certificate c = certify(Yoyo({.gamma_i = 2}), rays_of(on.domain), on.mass, test_device(), {});
   EXPECT_EQ(c.kind, Certificate::Kind::yoyo);
@@ -128,6 +115,112 @@ TEST(Certificate, OfAYoyoIsOneQuadric) {
   EXPECT_LE(c.bound, 2 * on.best + 1e-14);
   EXPECT_NEAR(c.bound, 2 * on.best, 1e-10);
   EXPECT_NEAR(c.best, 2 * on.best, 1e-10);
+}
+
+/// Light and heavy weights, of height, of height times mass, and of none.
+std::vector<TopOptions> tops() {
+  return {{.lower = Lower::mass},
+          {.gamma_c = 0, .lower = Lower::mass},
+          {.gamma_c = 20, .gamma_i = 0.5, .lower = Lower::mass},
+          {.gamma_c = 1, .gamma_i = 1e-4, .lower = Lower::mass},
+          {.gamma_c = 1, .gamma_i = 1e4, .lower = Lower::mass},
+          {.gamma_c = 3, .lower = Lower::height},
+          {.lower = Lower::none}};
+}
+
+TEST(TopCertificate, BoundsWhateverIsAttainedAndMeetsWhatRandomStartsReach) {
+  Random random(61);
+  const Case on = top();
+  const std::vector<Moments> all = attainable(on, Top({}), random, 40);
+  ASSERT_GT(all.size(), 40u);
+  const auto quadric = make_quadric(on.domain, {}, {}, test_device());
+  for (const TopOptions& options : tops()) {
+    const Top problem(options);
+    SCOPED_TRACE(fmt::format("gamma_c {}, gamma_i {}, lower {}", options.gamma_c, options.gamma_i,
+                             static_cast<int>(options.lower)));
+    const Certificate c = on.certified(problem);
+    EXPECT_EQ(c.kind, problem.weights().moment > 0 ? Certificate::Kind::top : Certificate::Kind::spin);
+    EXPECT_TRUE(c.reached) << c.message << ", " << c.bound << " .. " << c.best;
+    EXPECT_LE(c.bound, c.best);
+    RecordProperty("boxes", static_cast<int>(c.boxes.size()));
+    for (const Moments& s : all) EXPECT_LE(c.bound, problem.value(s));
+    for (int seed = 1; seed <= 3; ++seed) {
+      SolverOptions start;
+      start.own["seed"] = std::to_string(seed);
+      const Outcome outcome =
+          solve(find_solver("moment", "quadric"), {problem, *quadric, on.mass, test_device()}, start);
+      EXPECT_EQ(to_string(outcome.termination), "optimal") << seed << ' ' << outcome.message;
+      EXPECT_LE(outcome.objective, c.bound + 2 * gap * c.best) << seed;
+    }
+  }
+}
+
+TEST(TopCertificate, OfARegionHoldsWhateverTheMultipliers) {
+  Random random(62);
+  const Case on = top();
+  const SafeSupport support(rays_of(on.domain), on.mass);
+  const Top problem({.gamma_c = 2, .gamma_i = 1.5});
+  const std::vector<Moments> all = attainable(on, problem, random, 60);
+  const auto quadric = make_quadric(on.domain, {}, {}, test_device());
+  TotalSupport oracle(*quadric->oracle(), on.mass, 0);
+  MomentPoint near;
+  near.s = all.front();
+  int inside = 0;
+  double closest = 1;
+  for (int i = 0; i < 120; ++i) {
+    const Moments& from = all[static_cast<std::size_t>(i) % all.size()];
+    const double c = centre_of_mass(from)[2];
+    const SpinRegion region{c - uniform(random, 0, 0.05), c + uniform(random, 0, 0.05),
+                            from[SZ] - uniform(random, 0, 0.05), from[SZ] + uniform(random, 0, 0.05)};
+    BoxMultipliers m = minimise_box(oracle, problem.weights(), region, near).multipliers;
+    const double noise = i % 4 == 0 ? 0 : std::pow(10.0, -(i % 4));
+    for (double& u : m.u) u += uniform(random, -noise, noise);
+    for (double& mu : m.mu) mu += uniform(random, -noise, noise);
+    m.nu_low += uniform(random, -noise, noise);
+    m.kappa += uniform(random, -noise, noise);
+    const CertifiedBox box = certify_box(support, problem.weights(), region, m);
+    EXPECT_FALSE(box.empty);
+    for (const Moments& s : all) {
+      const double height = centre_of_mass(s)[2];
+      if (height < region.low || height > region.high || s[SZ] < region.sz_low || s[SZ] > region.sz_high)
+        continue;
+      ++inside;
+      EXPECT_LE(box.value, problem.value(s));
+      closest = std::min(closest, problem.value(s) - box.value);
+    }
+  }
+  EXPECT_GE(inside, 120);
+  EXPECT_LT(closest, 0.1) << "bounds that far off say nothing";
+}
+
+TEST(TopCertificate, OfRandomBodiesIsWithinItsGapOrSeparates) {
+  Random random(63);
+  int feasible = 0;
+  for (int i = 0; i < 12; ++i) {
+    const Case on = random_case(random);
+    const Top problem({.gamma_c = uniform(random, 0.1, 5), .gamma_i = uniform(random, 0.2, 2)});
+    const Certificate c = on.certified(problem);
+    if (c.kind == Certificate::Kind::infeasible) continue;
+    ++feasible;
+    EXPECT_TRUE(c.reached) << i << ": " << c.message << ", " << c.bound << " .. " << c.best;
+    for (const Moments& s : attainable(on, problem, random, 5)) EXPECT_LE(c.bound, problem.value(s)) << i;
+  }
+  EXPECT_GE(feasible, 4);
+}
+
+/// Of a body of revolution the lateral axes are any, and multipliers of one direction are those of the other.
+TEST(MomentSolver, SolvesTopsOfABodyOfRevolution) {
+  const Spindle on(0.9);
+  const auto quadric = make_quadric(on.domain, {}, {}, test_device());
+  for (const TopOptions& options : tops()) {
+    const Top problem(options);
+    const Outcome outcome =
+        solve(find_solver("moment", "quadric"), {problem, *quadric, on.mass, test_device()}, {});
+    EXPECT_EQ(to_string(outcome.termination), "optimal") << outcome.message;
+    const Certificate c = certify(problem, rays_of(on.domain), on.mass, test_device(), {});
+    EXPECT_TRUE(c.reached) << c.message;
+    EXPECT_LE(outcome.objective, c.bound + gap * c.best);
+  }
 }
 
 }  // namespace
