@@ -49,6 +49,9 @@ void require_valid(const BodySpec& spec) {
     throw InputError(fmt::format(
         "void density {} g/cm^3 in an interior of {}; expected another than it: there is nothing to design",
         spec.void_density, interior));
+  (void)axle_of(spec.axle);
+  if (spec.axle.radius && !spec.centred)
+    throw InputError(fmt::format("axle {} mm; expected problem yoyo, others have none", *spec.axle.radius));
   if (spec.size && (!(*spec.size > 0) || !std::isfinite(*spec.size)))
     throw InputError(fmt::format("size {} mm; expected > 0", *spec.size));
 }
@@ -101,10 +104,23 @@ Body make_body(const BodySpec& spec, Source source, device::Device& device) {
 
   if (spec.contact) require_near_axis(body);
 
-  const Moments about_origin = mesh_moments(body.mesh, device);
+  Moments about_origin = mesh_moments(body.mesh, device);
+  if (spec.centred && !spec.contact) body.contact = centre_of_mass(about_origin);
+  body.axle = axle_of(spec.axle);
+  if (body.axle) {
+    const Frame millimetres{axis_to_z(body.axis), body.contact, 1};
+    body.mesh = to_model(millimetres, halves(to_body(millimetres, body.mesh), *body.axle));
+    about_origin = mesh_moments(body.mesh, device);
+  }
   body.frame = {axis_to_z(body.axis), body.contact, std::cbrt(about_origin[S1])};
   body.local = to_body(body.frame, body.mesh);
   body.solid = mesh_moments(body.local, device);
+  if (body.axle) {
+    const double length = body.frame.length;
+    const Axle axle = {body.axle->radius / length, body.axle->slot / length, body.axle->depth / length};
+    body.added = reference::mesh_moments(axle_mesh(axle)).value;
+    body.solid += body.added;
+  }
   return body;
 }
 

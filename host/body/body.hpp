@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "body/axle.hpp"
 #include "body/frame.hpp"
 #include "body/moments.hpp"
 #include "device/device.hpp"
@@ -30,6 +31,9 @@ struct BodySpec {
   int fineness = 0;           ///< of a parametric model; 0: the model's own default
   /// The body frame's z is `up`, not the spin axis, unless `axis` is given.
   bool stands_upright = false;
+  /// Where no contact is given, the origin is the solid's centre of mass; and an axle may be asked for.
+  bool centred = false;
+  AxleSpec axle;
 };
 
 /// A solid. Body units: lengths in L = V^(1/3), masses in its own mass if all of it were of the shell's
@@ -44,7 +48,12 @@ struct Body {
   double interior_density = 1.0;     ///< of the interior that is no void, g/cm^3
   double void_density = 0.0;         ///< g/cm^3
   std::vector<std::string> repairs;  ///< what was mended in the file's mesh, one line each
-  Moments solid;  ///< of the whole solid, body frame and units; solid[S1] = 1 up to round-off
+  std::optional<Axle> axle;          ///< mm; the mesh then is both halves, and the axle not in it
+  /// What is fixed and not in the mesh, an axle of the same material; body frame and units.
+  Moments added = Moments::Zero();
+  /// Of the whole solid with what is added, body frame and units; the mesh's share of solid[S1] is 1 up to
+  /// round-off.
+  Moments solid;
 
   /// Whether shell and interior are of the same material.
   [[nodiscard]] bool one_material() const { return interior_density == density; }

@@ -40,10 +40,12 @@ std::optional<PublishedRow::Voids> voids(const nlohmann::json& row) {
 }  // namespace
 
 const PublishedRow* Published::find(const std::string& model, const std::optional<std::array<int, 3>>& grid,
-                                    const std::string& problem) const {
+                                    const std::string& problem,
+                                    const std::map<std::string, std::string>& settings) const {
   const auto at = std::find_if(rows.begin(), rows.end(), [&](const PublishedRow& row) {
     return row.model == model && (!row.grid || row.grid == grid) &&
-           (row.problem.empty() || problem.empty() || row.problem == problem);
+           (row.problem.empty() || problem.empty() || row.problem == problem) &&
+           std::ranges::includes(settings, row.settings);
   });
   return at == rows.end() ? nullptr : &*at;
 }
@@ -67,6 +69,9 @@ Published read_published(const std::filesystem::path& file) {
       out.inertia = inertia(row);
       out.standing = standing(row);
       out.voids = voids(row);
+      if (row.contains("omega_reduction")) out.omega_reduction = row.at("omega_reduction").get<double>();
+      if (row.contains("settings"))
+        out.settings = row.at("settings").get<std::map<std::string, std::string>>();
     }
     return published;
   } catch (const nlohmann::json::exception& error) {

@@ -15,6 +15,7 @@
 #include "experiment/speedup_table.hpp"
 #include "experiment/standing_table.hpp"
 #include "experiment/table_parts.hpp"
+#include "experiment/top_table.hpp"
 #include "experiment/voids_table.hpp"
 #include "unknown_name.hpp"
 
@@ -35,6 +36,8 @@ const std::vector<TableKind>& table_kinds() {
        "a block a body: height of the centre of mass and tilt, by target and solver, beside a paper",
        standing_tables},
       {"voids", "a row a run: pieces of the void, islands, planar cuts, beside a paper", voids_tables},
+      {"tops", "a row a run: height, moments and least speed of the solid and the part, beside a paper",
+       top_tables},
       {"inertia", "a block a run: inertia tensor and principal moments before and after", inertia_tables},
   };
   return all;

@@ -65,6 +65,7 @@ WrittenPart verify_written(std::vector<WrittenMaterial> materials, const Body& b
       return part;
     }
   }
+  part.moments += body.added;
   part.verdict = problem.verify(part.moments, body.frame.length);
   return part;
 }

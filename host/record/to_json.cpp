@@ -19,10 +19,13 @@ json to_json(const Seconds& s) {
   return {{"setup", s.setup}, {"kernels", s.kernels}, {"solve", s.solve}, {"total", s.total}};
 }
 
-/// The problem's settings; lambda and the gammas of `spin` as set, else their defaults.
+/// The problem's settings; those that say what f is as set, else their defaults.
 json weights(const RunConfig& config) {
-  json all = config.problem == "spin" ? json{{"lambda", 0.0}, {"gamma_i", 1.0}} : json::object();
-  for (const auto& [name, text] : settings_of(config, "problem")) {
+  json all = json::object();
+  ProblemSettings settings = settings_of(config, "problem");
+  const ProblemSettings& defaults = find_problem(config.problem).weights;
+  settings.insert(defaults.begin(), defaults.end());
+  for (const auto& [name, text] : settings) {
     if (const auto value = parse<double>(text))
       all[name] = *value;
     else

@@ -202,9 +202,11 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   const Stopwatch setup;
   BodySpec spec = config.body;
   spec.stands_upright = asked.upright;
+  spec.centred = asked.centred;
   const Body body = make_body(spec, device);
   stop_if_interrupted();
   const std::unique_ptr<Problem> problem = asked.make(settings_of(config, "problem"), body);
+  require_form(solver, *problem);
   const RunDomain domain(config, body);
   stop_if_interrupted();
   const MassModel mass = hollowed(body, domain.interior());
@@ -229,7 +231,8 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   r.interior_density = body.interior_density;
   r.void_density = body.void_density;
   r.length_mm = body.frame.length;
-  r.mass_unit_grams = r.solid_mass_grams = body.mass_grams();
+  r.mass_unit_grams = body.mass_grams();
+  r.solid_mass_grams = body.axle ? body.solid[S1] * r.mass_unit_grams : r.mass_unit_grams;
   r.solid = body.solid;
   r.fixed = mass.fixed;
   describe(r, domain);

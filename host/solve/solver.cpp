@@ -64,7 +64,9 @@ const std::vector<SolverEntry>& solvers() {
       {"ipopt",
        "interior point: lifted exact Hessian, or L-BFGS (ipopt.hessian_approximation=limited-memory)",
        solve_with_ipopt,
-       {"voxel", "rayrep"}},
+       {"voxel", "rayrep"},
+       {},
+       true},
       {"moment",
        "sequential quadratic programming and Newton's method in the ten moments (docs/quadric.md)",
        solve_with_moments,
@@ -91,6 +93,14 @@ void require_problem(const SolverEntry& solver, std::string_view problem) {
   if (!solver.problems.empty() && std::ranges::find(solver.problems, problem) == solver.problems.end())
     throw InputError(fmt::format("solver '{}' does not solve '{}'; it solves: {}", solver.name, problem,
                                  fmt::join(solver.problems, ", ")));
+}
+
+void require_form(const SolverEntry& solver, const Problem& problem) {
+  if (problem.auxiliary() && !solver.auxiliary)
+    throw InputError(
+        fmt::format("problem.form = angle does not work with solver '{}', which knows the moments alone; "
+                    "expected trace, the same problem, or solver ipopt",
+                    solver.name));
 }
 
 const SolverEntry& default_solver(std::string_view formulation) {

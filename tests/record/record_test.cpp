@@ -97,7 +97,7 @@ RunResult certified_by_hand() {
   c.message = "the gap was reached";
   c.reached = true;
   c.contrast = 0.9;
-  c.spin = {0.25, 1};
+  c.spin = {.lambda = 0.25, .gamma_i = 1};
   const double infinity = std::numeric_limits<double>::infinity();
   c.boxes.push_back({.low = -infinity, .high = 0.25, .empty = true, .value = infinity, .nu = -1});
   c.boxes.push_back(

@@ -6,6 +6,7 @@
 #include "apps/bench/commands.hpp"
 #include "apps/bench/outputs.hpp"
 #include "apps/bench/step_line.hpp"
+#include "fabricate/write_halves.hpp"
 #include "mesh/format.hpp"
 #include "record/record.hpp"
 #include "run/pipeline.hpp"
@@ -129,6 +130,9 @@ int run_once(const OnceOptions& options) {
   require_writable(options.record_file, "--record");
   const RunOutput output = run_showing_steps(options);
   const RunResult& result = output.result;
+  std::vector<std::filesystem::path> halves;
+  if (const auto axle = axle_of(options.config.body.axle); axle && !options.mesh_file.empty())
+    halves = write_halves(options.mesh_file, {output.outer, output.cavity}, result.frame, *axle);
   if (!options.record_file.empty()) write_record(options.record_file, result);
   const std::string json = to_json(result).dump(2) + "\n";
   if (options.json_file == "-") {
@@ -136,6 +140,7 @@ int run_once(const OnceOptions& options) {
   } else {
     if (!options.json_file.empty()) write_text(options.json_file, json);
     print_result(result, output.outer);
+    for (const std::filesystem::path& file : halves) fmt::print("  part       {}\n", file.string());
   }
   const bool cut_short = result.samples.size() < static_cast<std::size_t>(options.config.repeat);
   return cut_short && interrupted() ? was_interrupted : exit_code(result.outcome.termination);
