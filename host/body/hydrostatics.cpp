@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace kreisel {
 namespace {
@@ -93,12 +94,23 @@ Hydrostatics hydrostatics(const TriangleMesh& mesh, double waterline) {
 
 double waterline_of(const TriangleMesh& mesh, double volume) {
   const Box box = bounding_box(mesh);
-  double low = box.lo[2], high = box.hi[2];
-  for (int halving = 0; halving < 60; ++halving) {  // 2^-60 of the height is below round-off
-    const double middle = (low + high) / 2;
-    (submerged(mesh, origin_at(box, middle)).volume < volume ? low : high) = middle;
+  double low = box.lo[2], high = box.hi[2], z = (low + high) / 2;
+  const double round_off = 1e-15 * box.extent()[2];
+  double before = std::numeric_limits<double>::infinity();
+  // Newton's method, whose slope is the section's area; where it does not halve the error, or leaves what is
+  // known to hold the waterline, a halving of that.
+  for (int step = 0; step < 120; ++step) {
+    const Submerged sum = submerged(mesh, origin_at(box, z));
+    const double error = sum.volume - volume;
+    (error < 0 ? low : high) = z;
+    double next = z - error / sum.section.area;
+    if (std::abs(next - z) <= round_off) return next;
+    if (!(next > low && next < high) || !(std::abs(error) < before / 2)) next = (low + high) / 2;
+    if (high - low <= round_off) break;
+    before = std::abs(error);
+    z = next;
   }
-  return (low + high) / 2;
+  return z;
 }
 
 }  // namespace kreisel

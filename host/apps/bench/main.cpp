@@ -22,6 +22,7 @@
 
 namespace {
 
+using kreisel::Contact;
 using kreisel::InputError;
 using namespace kreisel::bench;
 
@@ -63,6 +64,7 @@ struct Parsed {
   ExperimentOptions experiment;
   ReportOptions report;
   MapOptions map;
+  SimulateOptions simulate;
   std::vector<std::pair<std::string, std::string>> given;  ///< field, text
   std::vector<std::string> settings, paths;
   std::string only_device;
@@ -135,6 +137,46 @@ void add_map_options(CLI::App& app, Parsed& parsed) {
   app.add_option("--record", parsed.map.record_file, "write the map as HDF5");
 }
 
+void add_simulate_options(CLI::App& app, Parsed& parsed) {
+  SimulateOptions& simulate = parsed.simulate;
+  app.add_option("run", simulate.record, "what `bench --record` wrote: its solid and its part");
+  app.add_option_function<std::string>(
+      "--mesh,--model",
+      [&parsed](const std::string& text) {
+        parsed.simulate.mesh = true;
+        parsed.given.emplace_back("model", text);
+      },
+      "a mesh file, or a name of `bench list`: itself, and what its outermost surface encloses");
+  for (const char* used : {"axis", "up", "unit", "size", "density", "void-density", "fineness", "device"})
+    for (const auto& [name, help] : fields)
+      if (name == std::string_view(used)) add_field(app, parsed, fmt::format("--{}", name), name, help);
+  add_field(app, parsed, "--problem", "problem", "of a mesh: spin (default)");
+  app.add_option_function<std::string>(
+      "--contact",
+      [&parsed](const std::string& text) {
+        if (text == "gliding" || text == "held")
+          parsed.simulate.spec.spin.contact = text == "held" ? Contact::held : Contact::gliding;
+        else if (text.find(',') != std::string::npos)
+          parsed.given.emplace_back("contact", text);
+        else
+          throw InputError(fmt::format("--contact {}; expected gliding, held, or a point x,y,z", text));
+      },
+      "how the tip touches the ground: gliding (default) or held; also, of a mesh, where: x,y,z in mm");
+  app.add_option_function<double>(
+      "--omega",
+      [&parsed](double rpm) {
+        parsed.simulate.omega = true;
+        parsed.simulate.spec.spin.rpm = rpm;
+      },
+      "rpm; default a tenth above the least from which the part is stable");
+  app.add_option("--tilt", simulate.spec.spin.tilt_degrees, "at the start, degrees")->capture_default_str();
+  app.add_option("--seconds", simulate.spec.spin.seconds, "to simulate")->capture_default_str();
+  app.add_flag("--scan", simulate.spec.scan, "over a hundred speeds, too");
+  app.add_option("--set", parsed.settings, "problem.NAME=VALUE")->allow_extra_args(false);
+  app.add_option("--json", simulate.json_file, "write it all as JSON; - for standard output");
+  app.add_option("--record", simulate.record_file, "write the simulation as HDF5");
+}
+
 void apply(Parsed& parsed) {
   for (const auto& [field, text] : parsed.given) set_field(parsed.once.config, field, text);
   for (const std::string& setting : parsed.settings) {
@@ -188,6 +230,9 @@ int dispatch(int argc, char** argv) {
   CLI::App* mapped = app.add_subcommand(
       "map", "every orientation over one domain: about which axes can a body spin, or float");
   add_map_options(*mapped, parsed);
+  CLI::App* simulated = app.add_subcommand(
+      "simulate", "set a part and the solid it was made of in motion: what does physics say?");
+  add_simulate_options(*simulated, parsed);
   CLI::App* reported =
       app.add_subcommand("report", "tables and figures of experiments that have been run, as one HTML page");
   reported->add_option("experiments", parsed.report.experiments, "default: all that have records");
@@ -216,6 +261,11 @@ int dispatch(int argc, char** argv) {
     apply(parsed);
     parsed.map.config = parsed.once.config;
     return map_model(parsed.map);
+  }
+  if (*simulated) {
+    apply(parsed);
+    parsed.simulate.config = parsed.once.config;
+    return simulate_part(parsed.simulate);
   }
   if (*reported) return report(parsed.report);
   if (*shown) return show(parsed.paths);
