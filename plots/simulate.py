@@ -57,7 +57,7 @@ def draw_motion(axes, found):
 def mark_speeds(axes, found):
     """Stable speeds as bands along the lower edge, eq. 1 as a line, the speed of the motion as a tick."""
     for i, (label, colour, body) in enumerate(bodies(found, "spin")):
-        for low, high in body["stable_rpm"]:
+        for low, high in body["stable_rpm_" + found["contact"]]:
             axes.axvspan(low, high, ymin=0.02 + 0.035 * i, ymax=0.045 + 0.035 * i, color=colour, linewidth=0)
         eq1 = body["values"]["omega_min_rpm"]
         if np.isfinite(eq1):
@@ -92,14 +92,14 @@ def spin_figure(found):
         draw_scan(panels[1], panels[2], found)
         marks = ("; bands: stable by the spectrum; dotted: SpinIt's eq. 1; grey line: the speed on the left; no growth "
                  "where there is no steady spin within 10 degrees of the axis")
-    contact = "held in place" if found["contact"] == "held" else "gliding without friction"
-    return figure, (f"{found['model']}, the tip {contact}, from a tilt of {found['tilt_degrees']:g} degrees{marks}. "
+    contact = {"held": "the tip held in place", "gliding": "the tip gliding without friction", "free": "in free fall"}
+    return figure, (f"{found['model']}, {contact[found['contact']]}, from a tilt of {found['tilt_degrees']:g} degrees{marks}. "
                     + records.provenance_line([found]))
 
 
 def float_figure(found):
     figure, panels = plt.subplots(1, 2, figsize=(9.5, 3.8), sharey=True)
-    for axes, name, title in zip(panels, ("least", "most"), ("about the axis of least stability", "and across it")):
+    for axes, name, title in zip(panels, ("least", "across"), ("about the axis of least stability", "and across it")):
         for label, colour, body in bodies(found, "float"):
             curve = body[name]
             heel, gz = curve["curve"].T
@@ -112,8 +112,8 @@ def float_figure(found):
         axes.axhline(0, color=style.INK, linewidth=0.8)
         axes.set_title(f"righting arm, mm, {title}" if axes is panels[0] else title)
         axes.set_xlabel("heel, degrees")
-    low = min(body[name]["curve"][:, 1].min() for _, _, body in bodies(found, "float") for name in ("least", "most"))
-    high = max(body[name]["curve"][:, 1].max() for _, _, body in bodies(found, "float") for name in ("least", "most"))
+    low = min(body[name]["curve"][:, 1].min() for _, _, body in bodies(found, "float") for name in ("least", "across"))
+    high = max(body[name]["curve"][:, 1].max() for _, _, body in bodies(found, "float") for name in ("least", "across"))
     panels[0].set_ylim(1.1 * low, 1.25 * high)
     panels[0].legend(fontsize=8)
     return figure, (f"{found['model']}, afloat; dotted: metacentric height times heel; dots: where stability vanishes. "

@@ -23,10 +23,15 @@ struct Section {
     xy += c * (p[0] * q[1] + 2 * p[0] * p[1] + 2 * q[0] * q[1] + q[0] * p[1]) / 24;
   }
 
-  [[nodiscard]] double least_second_moment() const {
-    if (!(area > 0)) return 0;
+  struct Least {
+    double moment = 0, axis = 0;
+  };
+  /// Of all axes through the centroid.
+  [[nodiscard]] Least least_second_moment() const {
+    if (!(area > 0)) return {};
     const double a = xx - x * x / area, b = yy - y * y / area, c = xy - x * y / area;
-    return std::max(0.0, (a + b) / 2 - std::hypot((a - b) / 2, c));
+    // About an axis at t it is (a + b) / 2 - (a - b) / 2 cos 2t - c sin 2t.
+    return {std::max(0.0, (a + b) / 2 - std::hypot((a - b) / 2, c)), std::atan2(c, (a - b) / 2) / 2};
   }
 };
 
@@ -88,7 +93,9 @@ Hydrostatics hydrostatics(const TriangleMesh& mesh, double waterline) {
   result.volume = sum.volume;
   result.centre_of_buoyancy = sum.volume > 0 ? Vec3(origin + sum.first / sum.volume) : origin;
   result.waterplane_area = sum.section.area;
-  result.least_second_moment = sum.section.least_second_moment();
+  const Section::Least least = sum.section.least_second_moment();
+  result.least_second_moment = least.moment;
+  result.least_axis = least.axis;
   return result;
 }
 

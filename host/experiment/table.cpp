@@ -11,6 +11,7 @@
 #include "experiment/run_text.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/settings_table.hpp"
+#include "experiment/simulation_table.hpp"
 #include "experiment/speedup_table.hpp"
 #include "experiment/table_parts.hpp"
 #include "unknown_name.hpp"
@@ -26,6 +27,7 @@ const std::vector<TableKind>& table_kinds() {
       {"formulations", "a block a body, a row a formulation: what it takes and what it reaches",
        formulations_tables},
       {"certificate", "a row a run: certified bound, gap, boxes, seconds", certificate_tables},
+      {"simulation", "a row a run: solid and part set spinning beside each other", simulation_tables},
       {"inertia", "a block a run: inertia tensor and principal moments before and after", inertia_tables},
   };
   return all;

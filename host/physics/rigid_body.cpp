@@ -10,10 +10,9 @@ namespace kreisel {
 RigidBody make_rigid_body(const Moments& s, Contact contact) {
   const Vec3 lever = s.segment<3>(SX);
   if (contact == Contact::held) return {inertia(s), lever, 0};
+  if (contact == Contact::free) return {inertia_about_centre(s), Vec3::Zero(), 0};
   return {inertia_about_centre(s), lever, 1 / s[S1]};
 }
-
-RigidBody make_free_body(const Moments& s) { return {inertia_about_centre(s), Vec3::Zero(), 0}; }
 
 namespace {
 

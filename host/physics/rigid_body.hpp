@@ -1,33 +1,41 @@
 // rigid_body.hpp - a rigid body on the ground in one point, and its equations of motion. [docs/physics.md]
 #pragma once
 
+#include <array>
+#include <string_view>
+#include <utility>
+
 #include "body/moments.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace kreisel {
 
 /// How the tip, a point of the body, touches the ground: free to glide without friction on a plane that it
-/// cannot leave, or held in place (Lagrange's top).
-enum class Contact { gliding, held };
+/// cannot leave, held in place (Lagrange's top), or not at all, in free fall.
+enum class Contact { gliding, held, free };
+
+inline constexpr std::array<std::pair<Contact, std::string_view>, 3> contacts = {
+    {{Contact::gliding, "gliding"}, {Contact::held, "held"}, {Contact::free, "free"}}};
+
+[[nodiscard]] inline std::string_view name_of(Contact contact) {
+  return contacts[static_cast<std::size_t>(contact)].second;
+}
 
 /// Everything that a motion depends on. Body frame and units (units.hpp), gravity 1.
 ///
-/// Both contacts have the same Hamiltonian of the vertical u and the angular momentum m, in body axes:
-///     H = m . K(u)^-1 m / 2 + p . u,   K = I + (p x u)(p x u)^T / M (gliding) or I (held),
+/// All contacts have the same Hamiltonian of the vertical u and the angular momentum m, in body axes:
+///     H = m . K(u)^-1 m / 2 + p . u,   K = I + (p x u)(p x u)^T / M (gliding) or I,
 ///     m' = m x w + u x dH/du,   u' = u x w,   w = dH/dm = K^-1 m.
 /// Gliding, the horizontal velocity of the centre of mass is conserved and left out; what remains of it is
 /// the height p . u / M.
 struct RigidBody {
-  Eigen::Matrix3d inertia;  ///< gliding: about the centre of mass; held: about the tip
-  Vec3 lever;               ///< p: first moments about the tip; zero for a free body
-  double per_mass = 0;      ///< gliding: 1 / M; held: 0
+  Eigen::Matrix3d inertia;  ///< held: about the tip; else about the centre of mass
+  Vec3 lever;               ///< p: first moments about the tip; free: zero
+  double per_mass = 0;      ///< gliding: 1 / M; else 0
 };
 
 /// @param s  about the tip, the origin
 [[nodiscard]] RigidBody make_rigid_body(const Moments& s, Contact contact);
-
-/// The same body in free fall.
-[[nodiscard]] RigidBody make_free_body(const Moments& s);
 
 /// Of a turning body.
 struct BodyState {

@@ -25,8 +25,8 @@ Motion motion_at(const RigidBody& body, double length_mm, double rpm, const Spin
                  int samples) {
   const MotionOptions motion{options.seconds / seconds_per_unit(length_mm), samples, radians(fallen),
                              options.stop};
-  return simulate(body, tilted_start(body, rpm / rpm_per_unit(length_mm), radians(options.tilt_degrees)),
-                  motion);
+  const auto start = options.contact == Contact::free ? free_start : tilted_start;
+  return simulate(body, start(body, rpm / rpm_per_unit(length_mm), radians(options.tilt_degrees)), motion);
 }
 
 }  // namespace
@@ -49,7 +49,8 @@ SpinCheck check_spin(const Moments& s, double length_mm, const SpinCheckOptions&
   const RigidBody body = make_rigid_body(s, options.contact);
   constexpr int samples = 1000;
   SpinCheck check;
-  check.stable_rpm = stable_rpm(s, length_mm, options.contact);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    check.stable_rpm[i] = stable_rpm(s, length_mm, contacts[i].first);
   check.motion = motion_at(body, length_mm, options.rpm, options, samples);
   check.at_speed = at_speed(body, length_mm, options.rpm, check.motion);
   for (double& time : check.motion.times) time *= seconds_per_unit(length_mm);
@@ -72,6 +73,7 @@ std::vector<SpeedRange> stable_rpm(const Moments& s, double length_mm, Contact c
 }
 
 std::string describe(const std::vector<SpeedRange>& rpm) {
+  if (!rpm.empty() && rpm[0].low == 0 && std::isinf(rpm[0].high)) return "at any speed";
   std::vector<std::string> parts;
   for (const SpeedRange& range : rpm)
     parts.push_back(std::isinf(range.high) ? fmt::format("above {:.0f}", range.low)

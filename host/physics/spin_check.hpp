@@ -1,6 +1,7 @@
 // spin_check.hpp - does a finished body spin? Spectrum and motion at a speed, and over a range of them.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -39,7 +40,8 @@ struct SpinAtSpeed {
 };
 
 struct SpinCheck {
-  std::vector<SpeedRange> stable_rpm;  ///< stable_speeds() of the contact, revolutions per minute
+  /// stable_speeds() of each of `contacts`, revolutions per minute.
+  std::array<std::vector<SpeedRange>, contacts.size()> stable_rpm;
   SpinAtSpeed at_speed;
   Motion motion;                  ///< at that speed; seconds and degrees
   std::vector<SpinAtSpeed> scan;  ///< one for each of options.scan_rpm
@@ -50,7 +52,7 @@ struct SpinCheck {
 /// @throws InputError   options that are invalid()
 [[nodiscard]] SpinCheck check_spin(const Moments& s, double length_mm, const SpinCheckOptions& options);
 
-/// Where all speeds of a spin about z are stable, with the tip gliding or held, in revolutions per minute.
+/// stable_speeds() in revolutions per minute.
 [[nodiscard]] std::vector<SpeedRange> stable_rpm(const Moments& s, double length_mm, Contact contact);
 
 /// "480 to 510, above 612 rpm", or "at no speed".

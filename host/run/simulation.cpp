@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
+#include "body/hydrostatics.hpp"
 #include "error.hpp"
+#include "parse.hpp"
 #include "physics/units.hpp"
 #include "problem/problem.hpp"
 #include "solve/interrupt.hpp"
@@ -13,11 +17,9 @@
 namespace kreisel {
 namespace {
 
-Contact other(Contact contact) { return contact == Contact::held ? Contact::gliding : Contact::held; }
-
-/// Speeds at which something changes, with either contact.
+/// Speeds at which something changes, with any contact.
 void add_bounds(std::vector<double>& speeds, const Moments& s, double length_mm) {
-  for (const Contact contact : {Contact::gliding, Contact::held})
+  for (const auto& [contact, name] : contacts)
     for (const SpeedRange& range : stable_rpm(s, length_mm, contact)) {
       speeds.push_back(range.low);
       if (std::isfinite(range.high)) speeds.push_back(range.high);
@@ -49,13 +51,49 @@ std::vector<double> scan_speeds(const Subject& subject, double rpm) {
   return scan;
 }
 
-SimulatedBody spin_of(const Moments& s, const Problem& problem, double length_mm,
-                      const SpinCheckOptions& options) {
+/// A problem's setting as a number; problems refuse what is none.
+double setting(const RunConfig& config, const std::string& name, const char* unit, double otherwise) {
+  const auto settings = settings_of(config, "problem");
+  const auto found = settings.find(name);
+  return found == settings.end() ? otherwise : parse_with_unit(found->second, unit).value_or(otherwise);
+}
+
+std::vector<Toppling> stand_of(const Subject& subject, const Moments& s) {
+  const SupportPolygon base = support_polygon(subject.solid, setting(subject.config, "base", "%", 0.1) / 100);
+  return tilt_the_plane(base, bounding_box(subject.solid.local).lo[2], centre_of_mass(s));
+}
+
+/// Of both sides the one on which it comes back from less.
+RightingArm weaker_side(const Afloat& afloat, double azimuth) {
+  RightingArm one = righting_arm(afloat, azimuth);
+  stop_if_interrupted();
+  RightingArm other = righting_arm(afloat, azimuth + std::numbers::pi);
+  return other.vanishing && other.vanishing < one.vanishing.value_or(std::numbers::pi) ? other : one;
+}
+
+std::vector<RightingArm> float_of(const Subject& subject, const Moments& s) {
+  const Body& solid = subject.solid;
+  const double volume = s[S1] * solid.density / setting(subject.config, "fluid_density", "", 1);
+  if (!(volume < hydrostatics(solid.local, bounding_box(solid.local).hi[2]).volume)) return {};  // it sinks
+  const Afloat afloat{solid.local, centre_of_mass(s), volume};
+  const double axis = hydrostatics(solid.local, waterline_of(solid.local, volume)).least_axis;
+  return {weaker_side(afloat, axis), weaker_side(afloat, axis + std::numbers::pi / 2)};
+}
+
+SimulatedBody look_at(const Subject& subject, const Moments& s, const Problem& problem,
+                      const Simulation& simulation) {
+  const double length = subject.solid.frame.length;
   SimulatedBody body;
   body.moments = s;
-  body.verdict = problem.verify(s, length_mm);
-  body.spin = check_spin(s, length_mm, options);
-  body.other_contact_rpm = stable_rpm(s, length_mm, other(options.contact));
+  body.verdict = problem.verify(s, length);
+  if (problem.name() == "stand")
+    body.toppling = stand_of(subject, s);
+  else if (problem.name() == "float")
+    body.righting = float_of(subject, s);
+  else
+    body.spin = check_spin(s, length, simulation.spin);
+  if (simulation.axle_mm > 0) body.fall = yoyo_fall(s, simulation.axle_mm / length);
+  stop_if_interrupted();
   return body;
 }
 
@@ -63,8 +101,13 @@ SimulatedBody spin_of(const Moments& s, const Problem& problem, double length_mm
 
 Simulation simulate(const Subject& subject, const SimulationSpec& spec, const device::Device& device) {
   const RunConfig& config = subject.config;
-  if (config.problem != "spin")
-    throw InputError(fmt::format("problem '{}' is not simulated; expected spin", config.problem));
+  constexpr std::array<std::string_view, 5> simulated = {"spin", "top", "yoyo", "stand", "float"};
+  if (std::ranges::find(simulated, config.problem) == simulated.end())
+    throw InputError(fmt::format(
+        "nothing of the problem '{}' moves; expected spin, top, yoyo, stand or float", config.problem));
+  if (spec.axle_mm != 0 && (config.problem != "yoyo" || !(spec.axle_mm > 0)))
+    throw InputError(fmt::format("an axle of radius {} mm for {}; expected one > 0 for yoyo", spec.axle_mm,
+                                 config.problem));
   Simulation result;
   result.config = config;
   result.provenance = make_provenance(device);
@@ -72,15 +115,17 @@ Simulation simulate(const Subject& subject, const SimulationSpec& spec, const de
   result.length_mm = subject.solid.frame.length;
   result.mass_unit_grams = subject.solid.mass_grams();
   result.hollow = subject.hollow;
+  result.axle_mm = spec.axle_mm;
   result.spin = spec.spin;
-  if (result.spin.rpm == 0) result.spin.rpm = default_rpm(subject, spec.spin.contact);
-  if (spec.scan) result.spin.scan_rpm = scan_speeds(subject, result.spin.rpm);
-  result.spin.stop = interrupted;
+  if (!find_problem(config.problem).upright) {
+    result.spin.contact = spec.contact.value_or(config.problem == "yoyo" ? Contact::free : Contact::gliding);
+    if (result.spin.rpm == 0) result.spin.rpm = default_rpm(subject, result.spin.contact);
+    if (spec.scan) result.spin.scan_rpm = scan_speeds(subject, result.spin.rpm);
+    result.spin.stop = interrupted;
+  }
   const auto problem = make_problem(config.problem, settings_of(config, "problem"), subject.solid);
-  result.solid = spin_of(subject.solid.solid, *problem, subject.solid.frame.length, result.spin);
-  stop_if_interrupted();
-  result.part = spin_of(subject.part, *problem, subject.solid.frame.length, result.spin);
-  stop_if_interrupted();
+  result.solid = look_at(subject, subject.solid.solid, *problem, result);
+  result.part = look_at(subject, subject.part, *problem, result);
   return result;
 }
 

@@ -1,24 +1,33 @@
-// simulation.hpp - the physical check: a solid and the part made of it, set in motion side by side.
+// simulation.hpp - the physical check: a solid and the part made of it, beside each other.
 #pragma once
 
+#include "physics/righting_arm.hpp"
 #include "physics/spin_check.hpp"
+#include "physics/tilting_plane.hpp"
+#include "physics/yoyo_fall.hpp"
 #include "run/provenance.hpp"
 #include "run/subject.hpp"
 
 namespace kreisel {
 
 struct SimulationSpec {
-  /// Of a spin. A speed of 0: a tenth above the least from which the part is stable.
+  /// Of what spins. A speed of 0: a tenth above the least from which the part is stable.
   SpinCheckOptions spin;
-  bool scan = false;  ///< over speeds up to twice the largest that matters
+  std::optional<Contact> contact;  ///< default gliding, of a yo-yo free
+  bool scan = false;               ///< over speeds up to twice the largest that matters
+  double axle_mm = 0;              ///< radius of a yo-yo's axle; 0: it does not fall
 };
 
-/// What one body does.
+/// What one body does; which of it depends on the problem.
 struct SimulatedBody {
-  Moments moments = Moments::Zero();          ///< body frame and units
-  Verdict verdict;                            ///< of the problem on these moments
-  std::optional<SpinCheck> spin;              ///< of a body that is to spin
-  std::vector<SpeedRange> other_contact_rpm;  ///< stable speeds with the other contact
+  Moments moments = Moments::Zero();  ///< body frame and units
+  Verdict verdict;                    ///< of the problem on these moments
+  std::optional<SpinCheck> spin;
+  std::optional<YoyoFall> fall;
+  std::vector<Toppling> toppling;  ///< of what stands
+  /// Of what floats, body units: about the axis of the least metacentric height and the one across it, on the
+  /// side on which it comes back from less. Empty for what sinks.
+  std::vector<RightingArm> righting;
 };
 
 struct Simulation {
@@ -27,6 +36,7 @@ struct Simulation {
   std::string body_name;
   double length_mm = 1, mass_unit_grams = 1;
   SpinCheckOptions spin;  ///< as used
+  double axle_mm = 0;
   bool hollow = true;
   SimulatedBody solid, part;
 };

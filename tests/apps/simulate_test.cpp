@@ -79,8 +79,8 @@ TEST_F(BenchSimulate, RefusesWhatItCannotDoInOneLine) {
        {std::string(), std::string("--mesh ellipsoid --omega -300"),
         std::string("--mesh ellipsoid --omega 0"), std::string("--mesh ellipsoid --tilt 0"),
         std::string("--mesh ellipsoid --seconds -1"), std::string("--mesh ellipsoid --contact sliding"),
-        file("not.h5"), file("none.h5"),
-        file("not.h5") + " --mesh ellipsoid", std::string("--mesh ellipsoid --problem balance --omega 500"),
+        file("not.h5"), file("none.h5"), file("not.h5") + " --mesh ellipsoid",
+        std::string("--mesh ellipsoid --problem balance --omega 500"),
         std::string("--mesh ellipsoid --record /no/such/folder/s.h5")}) {
     const BenchAnswer a = bench("simulate " + bad);
     EXPECT_EQ(a.code, 2) << bad << a.out;

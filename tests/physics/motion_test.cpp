@@ -155,7 +155,7 @@ TEST(Motion, GlidingTopNutatesWithThePeriodOfItsEffectivePotential) {
 
 TEST(Motion, FreeBodyFollowsEulersSolution) {
   const Vec3 i(0.07, 0.1, 0.13);
-  const RigidBody body = make_free_body(moments_of(1, 0, i));
+  const RigidBody body = make_rigid_body(moments_of(1, 0, i), Contact::free);
   const Vec3 w0(2, 0, 3);
   BodyState start;
   start.momentum = i.cwiseProduct(w0);
@@ -175,7 +175,7 @@ TEST(Motion, FreeBodyFollowsEulersSolution) {
 TEST(Motion, FreeBodyFlipsAboutItsMiddleAxisAloneAndInTheClosedFormsTime) {
   const double spin = 3, tilt = 0.01;
   const auto flight = [&](const Vec3& principal, double duration) {
-    const RigidBody body = make_free_body(moments_of(1, 0, principal));
+    const RigidBody body = make_rigid_body(moments_of(1, 0, principal), Contact::free);
     return simulate(body, free_start(body, spin, tilt), {duration, 400});
   };
   EXPECT_LT(flight({0.07, 0.1, 0.13}, 200).largest_tilt, 3 * tilt);
@@ -183,7 +183,7 @@ TEST(Motion, FreeBodyFlipsAboutItsMiddleAxisAloneAndInTheClosedFormsTime) {
 
   // About the middle: start between the other two axes; half a turn of the polhode later it is over.
   const Vec3 i(0.07, 0.13, 0.1);
-  const RigidBody body = make_free_body(moments_of(1, 0, i));
+  const RigidBody body = make_rigid_body(moments_of(1, 0, i), Contact::free);
   const BodyState start = free_start(body, spin, tilt);
   const double l2 = start.momentum.squaredNorm(), e2 = 2 * energy(body, start);
   const double least = 0.07, middle = 0.1, most = 0.13;

@@ -9,14 +9,15 @@ import numpy as np
 with h5py.File(sys.argv[1], "r") as file:
     at = file.attrs
     assert at["schema"] == "kreisel simulation" and at["schema_version"] == 1
-    assert at["contact"] in ("gliding", "held") and at["length"] > 0 and at["rpm"] > 0
+    assert at["contact"] in ("gliding", "held", "free") and at["length"] > 0 and at["rpm"] > 0
     for name in ("solid", "part"):
         body = file[name]
         assert body["moments"].shape == (10,) and body.attrs["text"]
         assert set(body["values"].attrs) >= {"omega_min_rpm", "largest_over_lateral"}
         spin = body["spin"]
-        ranges = spin["stable_rpm"][...]
-        assert ranges.shape == (len(ranges), 2) and (ranges[:, 0] < ranges[:, 1]).all()
+        for contact in ("gliding", "held", "free"):
+            ranges = spin["stable_rpm_" + contact][...]
+            assert ranges.shape == (len(ranges), 2) and (ranges[:, 0] < ranges[:, 1]).all()
         motion = spin["motion"][...]
         assert motion.shape[1] == 2 and motion[0, 0] == 0 and (np.diff(motion[:, 0]) > 0).all()
         assert np.isclose(motion[0, 1], at["tilt_degrees"])

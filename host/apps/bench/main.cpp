@@ -22,7 +22,6 @@
 
 namespace {
 
-using kreisel::Contact;
 using kreisel::InputError;
 using namespace kreisel::bench;
 
@@ -150,18 +149,21 @@ void add_simulate_options(CLI::App& app, Parsed& parsed) {
   for (const char* used : {"axis", "up", "unit", "size", "density", "void-density", "fineness", "device"})
     for (const auto& [name, help] : fields)
       if (name == std::string_view(used)) add_field(app, parsed, fmt::format("--{}", name), name, help);
-  add_field(app, parsed, "--problem", "problem", "of a mesh: spin (default)");
+  add_field(app, parsed, "--problem", "problem", "of a mesh: spin (default), top, yoyo, stand or float");
+  add_field(app, parsed, "--fluid-density", "problem.fluid_density", "float: g/cm^3; default 1");
+  app.add_option("--axle", simulate.spec.axle_mm,
+                 "yoyo: radius of the axle, mm: how it runs down its string");
   app.add_option_function<std::string>(
       "--contact",
       [&parsed](const std::string& text) {
-        if (text == "gliding" || text == "held")
-          parsed.simulate.spec.spin.contact = text == "held" ? Contact::held : Contact::gliding;
-        else if (text.find(',') != std::string::npos)
+        for (const auto& [contact, name] : kreisel::contacts)
+          if (name == text) parsed.simulate.spec.contact = contact;
+        if (text.find(',') != std::string::npos)
           parsed.given.emplace_back("contact", text);
-        else
-          throw InputError(fmt::format("--contact {}; expected gliding, held, or a point x,y,z", text));
+        else if (!parsed.simulate.spec.contact || name_of(*parsed.simulate.spec.contact) != text)
+          throw InputError(fmt::format("--contact {}; expected gliding, held, free, or a point x,y,z", text));
       },
-      "how the tip touches the ground: gliding (default) or held; also, of a mesh, where: x,y,z in mm");
+      "how the tip touches the ground: gliding (default), held or free; of a mesh also where: x,y,z in mm");
   app.add_option_function<double>(
       "--omega",
       [&parsed](double rpm) {

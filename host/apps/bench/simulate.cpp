@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "apps/bench/commands.hpp"
 #include "apps/bench/outputs.hpp"
@@ -16,8 +19,8 @@ namespace {
 
 /// A line of the table: what, and what it is for the solid and the part.
 template <class Of>
-void row(const Simulation& s, const char* what, const Of& of) {
-  fmt::print("  {:<10} {:<44} {}\n", what, of(s.solid), s.hollow ? of(s.part) : "");
+void row(const Simulation& s, std::string_view what, const Of& of) {
+  fmt::print("  {:<10} {:<50} {}\n", what, of(s.solid), s.hollow ? of(s.part) : "");
 }
 
 std::string eq1(const SimulatedBody& body) {
@@ -58,18 +61,18 @@ std::string ranges(const std::vector<SpinAtSpeed>& scan, const Holds& holds) {
   return text.empty() ? "at no speed" : text + " rpm";
 }
 
-void print_simulation(const Simulation& s) {
-  const bool held = s.spin.contact == Contact::held;
-  fmt::print("{}: {} simulated, the tip {}, from a tilt of {:g} degrees at {:.0f} rpm for {:g} s\n",
-             s.body_name, s.config.problem, held ? "held in place" : "gliding on a plane",
-             s.spin.tilt_degrees, s.spin.rpm, s.spin.seconds);
-  fmt::print("  {:<10} {:<44} {}\n", "", "solid", s.hollow ? "part" : "");
-  row(s, "eq. 1", eq1);
-  row(s, held ? "held" : "gliding", [](const SimulatedBody& b) { return describe(b.spin->stable_rpm); });
-  row(s, held ? "gliding" : "held", [](const SimulatedBody& b) { return describe(b.other_contact_rpm); });
+void print_spin(const Simulation& s) {
+  if (s.config.problem != "yoyo") row(s, "eq. 1", eq1);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    row(s, contacts[i].second, [&](const SimulatedBody& b) { return describe(b.spin->stable_rpm[i]); });
   row(s, "steady", [](const SimulatedBody& b) { return steady(b.spin->at_speed); });
   row(s, "motion", [](const SimulatedBody& b) { return motion(*b.spin); });
   row(s, "drift", [](const SimulatedBody& b) { return drift(b.spin->motion); });
+  if (s.part.fall)
+    row(s, "string", [](const SimulatedBody& b) {
+      return fmt::format("falls at {:.3f} g, pulls with {:.3f} weights", b.fall->acceleration,
+                         b.fall->tension);
+    });
   if (s.spin.scan_rpm.empty()) return;
   fmt::print("  {:<10} {} speeds up to {:.0f} rpm: stable by the spectrum, and staying near the axis\n",
              "scan", s.spin.scan_rpm.size(), s.spin.scan_rpm.back());
@@ -79,6 +82,53 @@ void print_simulation(const Simulation& s) {
   row(s, "stays", [](const SimulatedBody& b) {
     return ranges(b.spin->scan, [](const SpinAtSpeed& speed) { return speed.stays(); });
   });
+}
+
+void print_stand(const Simulation& s) {
+  row(s, "verdict", [](const SimulatedBody& b) {
+    const double tilt = b.verdict.values.at("tilt_degrees");
+    return tilt > 0 ? fmt::format("topples at a tilt of {:.2f} degrees", tilt)
+                    : std::string("does not stand");
+  });
+  row(s, "plane", [](const SimulatedBody& b) {
+    const Toppling least = worst(b.toppling);
+    return fmt::format("topples at {:.2f} degrees, downhill towards {:.0f}", degrees(least.angle),
+                       degrees(least.azimuth));
+  });
+}
+
+void print_float(const Simulation& s) {
+  row(s, "verdict", [](const SimulatedBody& b) {
+    return fmt::format("metacentric height {:.3f} mm", b.verdict.values.at("metacentric_height_mm"));
+  });
+  for (const std::size_t i : {0u, 1u})
+    row(s, i == 0 ? "righting" : "across", [&](const SimulatedBody& b) -> std::string {
+      if (b.righting.empty()) return "sinks";
+      const RightingArm& arm = b.righting[i];
+      const double most = *std::ranges::max_element(arm.gz) * s.length_mm;
+      return fmt::format("slope {:.3f} mm, {}", arm.metacentric_height * s.length_mm,
+                         arm.vanishing ? fmt::format("up to {:.2f} mm, vanishes at {:.1f} degrees", most,
+                                                     degrees(*arm.vanishing))
+                         : arm.metacentric_height > 0 ? "returns from any heel"
+                                                      : "not righted");
+    });
+}
+
+void print_simulation(const Simulation& s) {
+  fmt::print("{}: {} simulated{}\n", s.body_name, s.config.problem,
+             s.part.spin ? fmt::format(", {}, from a tilt of {:g} degrees at {:.0f} rpm for {:g} s",
+                                       s.spin.contact == Contact::held      ? "the tip held in place"
+                                       : s.spin.contact == Contact::gliding ? "the tip gliding on a plane"
+                                                                            : "in free fall",
+                                       s.spin.tilt_degrees, s.spin.rpm, s.spin.seconds)
+                         : "");
+  fmt::print("  {:<10} {:<50} {}\n", "", "solid", s.hollow ? "part" : "");
+  if (s.part.spin)
+    print_spin(s);
+  else if (s.config.problem == "stand")
+    print_stand(s);
+  else
+    print_float(s);
 }
 
 Simulation simulated(const SimulateOptions& options) {
@@ -98,8 +148,8 @@ int simulate_part(const SimulateOptions& options) {
   require_writable(options.record_file, "--record");
   if (options.record.empty() == !options.mesh)
     throw InputError("simulate what? expected the record of a run (.h5), or --mesh FILE, and not both");
-  SpinCheckOptions asked = options.spec.spin;
-  if (!options.omega) asked.rpm = 1;  // found later
+  SpinCheckOptions asked = options.spec.spin;  // a typing error costs no time
+  if (!options.omega) asked.rpm = 1;           // found later
   if (const auto wrong = asked.invalid()) throw InputError(*wrong);
   const Simulation simulation = simulated(options);
   if (!options.record_file.empty()) write_simulation(options.record_file, simulation);
