@@ -73,6 +73,33 @@ TEST_F(BenchSimulate, ASolidHasOneColumnAndTheSameAnswerTwice) {
   EXPECT_EQ(bench(command).out, a.out);
 }
 
+TEST_F(BenchSimulate, WhatStandsAndFloatsDoesSoAsItsVerdictSays) {
+  const auto simulated = [&](const char* run) {
+    const BenchAnswer made = bench(fmt::format(
+        "{} --formulation quadric --resolution 24 --fineness 12 --record {}", run, file("run.h5")));
+    EXPECT_EQ(made.code, 0) << made.out;
+    const BenchAnswer a = bench(
+        fmt::format("simulate {} --record {} --json {}", file("run.h5"), file("sim.h5"), file("s.json")));
+    EXPECT_EQ(a.code, 0) << a.out;
+    EXPECT_NE(a.out.find("verdict"), std::string::npos) << a.out;
+    return json::parse(std::ifstream(file("s.json"))).at("part");
+  };
+  const json stands = simulated("--problem stand --model kitten --target max-tilt");
+  // Two of 360 directions are at most half a degree off the worst: its tangent is 4e-5 larger there.
+  EXPECT_NEAR(stands.at("stand").at("topples_degrees").get<double>(),
+              stands.at("values").at("tilt_degrees").get<double>(), 2e-3);
+
+  const json floats = simulated("--problem float --model duck --draft 50%");
+  const json& least = floats.at("float").at("least");
+  const double height = floats.at("values").at("metacentric_height_mm").get<double>();
+  // The draft is that of the part's own mass, which the verdict lets differ by a thousandth.
+  EXPECT_NEAR(least.at("metacentric_height_mm").get<double>(), height, 0.02);
+  EXPECT_LE(least.at("metacentric_height_mm").get<double>(),
+            floats.at("float").at("across").at("metacentric_height_mm").get<double>());
+  ASSERT_FALSE(least.at("vanishing_degrees").is_null());
+  EXPECT_GT(least.at("vanishing_degrees").get<double>(), 5);
+}
+
 TEST_F(BenchSimulate, RefusesWhatItCannotDoInOneLine) {
   std::ofstream(file("not.h5")) << "no record";
   for (const std::string& bad :
@@ -81,6 +108,7 @@ TEST_F(BenchSimulate, RefusesWhatItCannotDoInOneLine) {
         std::string("--mesh ellipsoid --seconds -1"), std::string("--mesh ellipsoid --contact sliding"),
         file("not.h5"), file("none.h5"), file("not.h5") + " --mesh ellipsoid",
         std::string("--mesh ellipsoid --problem balance --omega 500"),
+        std::string("--mesh ellipsoid --problem spin --axle 3 --omega 500"),
         std::string("--mesh ellipsoid --record /no/such/folder/s.h5")}) {
     const BenchAnswer a = bench("simulate " + bad);
     EXPECT_EQ(a.code, 2) << bad << a.out;

@@ -13,6 +13,7 @@
 
 #include "apps/bench/commands.hpp"
 #include "apps/bench/outputs.hpp"
+#include "apps/bench/simulate_options.hpp"
 #include "device/device.hpp"
 #include "error.hpp"
 #include "memory.hpp"
@@ -136,49 +137,6 @@ void add_map_options(CLI::App& app, Parsed& parsed) {
   app.add_option("--record", parsed.map.record_file, "write the map as HDF5");
 }
 
-void add_simulate_options(CLI::App& app, Parsed& parsed) {
-  SimulateOptions& simulate = parsed.simulate;
-  app.add_option("run", simulate.record, "what `bench --record` wrote: its solid and its part");
-  app.add_option_function<std::string>(
-      "--mesh,--model",
-      [&parsed](const std::string& text) {
-        parsed.simulate.mesh = true;
-        parsed.given.emplace_back("model", text);
-      },
-      "a mesh file, or a name of `bench list`: itself, and what its outermost surface encloses");
-  for (const char* used : {"axis", "up", "unit", "size", "density", "void-density", "fineness", "device"})
-    for (const auto& [name, help] : fields)
-      if (name == std::string_view(used)) add_field(app, parsed, fmt::format("--{}", name), name, help);
-  add_field(app, parsed, "--problem", "problem", "of a mesh: spin (default), top, yoyo, stand or float");
-  add_field(app, parsed, "--fluid-density", "problem.fluid_density", "float: g/cm^3; default 1");
-  app.add_option("--axle", simulate.spec.axle_mm,
-                 "yoyo: radius of the axle, mm: how it runs down its string");
-  app.add_option_function<std::string>(
-      "--contact",
-      [&parsed](const std::string& text) {
-        for (const auto& [contact, name] : kreisel::contacts)
-          if (name == text) parsed.simulate.spec.contact = contact;
-        if (text.find(',') != std::string::npos)
-          parsed.given.emplace_back("contact", text);
-        else if (!parsed.simulate.spec.contact || name_of(*parsed.simulate.spec.contact) != text)
-          throw InputError(fmt::format("--contact {}; expected gliding, held, free, or a point x,y,z", text));
-      },
-      "how the tip touches the ground: gliding (default), held or free; of a mesh also where: x,y,z in mm");
-  app.add_option_function<double>(
-      "--omega",
-      [&parsed](double rpm) {
-        parsed.simulate.omega = true;
-        parsed.simulate.spec.spin.rpm = rpm;
-      },
-      "rpm; default a tenth above the least from which the part is stable");
-  app.add_option("--tilt", simulate.spec.spin.tilt_degrees, "at the start, degrees")->capture_default_str();
-  app.add_option("--seconds", simulate.spec.spin.seconds, "to simulate")->capture_default_str();
-  app.add_flag("--scan", simulate.spec.scan, "over a hundred speeds, too");
-  app.add_option("--set", parsed.settings, "problem.NAME=VALUE")->allow_extra_args(false);
-  app.add_option("--json", simulate.json_file, "write it all as JSON; - for standard output");
-  app.add_option("--record", simulate.record_file, "write the simulation as HDF5");
-}
-
 void apply(Parsed& parsed) {
   for (const auto& [field, text] : parsed.given) set_field(parsed.once.config, field, text);
   for (const std::string& setting : parsed.settings) {
@@ -234,7 +192,14 @@ int dispatch(int argc, char** argv) {
   add_map_options(*mapped, parsed);
   CLI::App* simulated = app.add_subcommand(
       "simulate", "set a part and the solid it was made of in motion: what does physics say?");
-  add_simulate_options(*simulated, parsed);
+  add_simulate_options(*simulated, parsed.simulate, [&](const std::string& field, const std::string& text) {
+    parsed.given.emplace_back(field, text);
+  });
+  for (const auto& [name, help] : fields)
+    for (const char* used : {"axis", "up", "unit", "size", "density", "void-density", "fineness", "device"})
+      if (name == std::string_view(used))
+        add_field(*simulated, parsed, fmt::format("--{}", name), name, help);
+  simulated->add_option("--set", parsed.settings, "problem.NAME=VALUE")->allow_extra_args(false);
   CLI::App* reported =
       app.add_subcommand("report", "tables and figures of experiments that have been run, as one HTML page");
   reported->add_option("experiments", parsed.report.experiments, "default: all that have records");
