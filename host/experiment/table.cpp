@@ -12,6 +12,7 @@
 #include "experiment/run_text.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/settings_table.hpp"
+#include "experiment/simulation_table.hpp"
 #include "experiment/speedup_table.hpp"
 #include "experiment/standing_table.hpp"
 #include "experiment/table_parts.hpp"
@@ -38,6 +39,7 @@ const std::vector<TableKind>& table_kinds() {
       {"voids", "a row a run: pieces of the void, islands, planar cuts, beside a paper", voids_tables},
       {"tops", "a row a run: height, moments and least speed of the solid and the part, beside a paper",
        top_tables},
+      {"simulation", "a row a run: solid and part set spinning beside each other", simulation_tables},
       {"inertia", "a block a run: inertia tensor and principal moments before and after", inertia_tables},
   };
   return all;

@@ -13,6 +13,7 @@
 
 #include "apps/bench/commands.hpp"
 #include "apps/bench/outputs.hpp"
+#include "apps/bench/simulate_options.hpp"
 #include "device/device.hpp"
 #include "error.hpp"
 #include "memory.hpp"
@@ -69,6 +70,7 @@ struct Parsed {
   ExperimentOptions experiment;
   ReportOptions report;
   MapOptions map;
+  SimulateOptions simulate;
   std::vector<std::pair<std::string, std::string>> given;  ///< field, text
   std::vector<std::string> settings, paths;
   std::string only_device;
@@ -191,6 +193,16 @@ int dispatch(int argc, char** argv) {
   CLI::App* mapped = app.add_subcommand(
       "map", "every orientation over one domain: about which axes can a body spin, or float");
   add_map_options(*mapped, parsed);
+  CLI::App* simulated = app.add_subcommand(
+      "simulate", "set a part and the solid it was made of in motion: what does physics say?");
+  add_simulate_options(*simulated, parsed.simulate, [&](const std::string& field, const std::string& text) {
+    parsed.given.emplace_back(field, text);
+  });
+  for (const auto& [name, help] : fields)
+    for (const char* used : {"axis", "up", "unit", "size", "density", "void-density", "fineness", "device"})
+      if (name == std::string_view(used))
+        add_field(*simulated, parsed, fmt::format("--{}", name), name, help);
+  simulated->add_option("--set", parsed.settings, "problem.NAME=VALUE")->allow_extra_args(false);
   CLI::App* reported =
       app.add_subcommand("report", "tables and figures of experiments that have been run, as one HTML page");
   reported->add_option("experiments", parsed.report.experiments, "default: all that have records");
@@ -219,6 +231,11 @@ int dispatch(int argc, char** argv) {
     apply(parsed);
     parsed.map.config = parsed.once.config;
     return map_model(parsed.map);
+  }
+  if (*simulated) {
+    apply(parsed);
+    parsed.simulate.config = parsed.once.config;
+    return simulate_part(parsed.simulate);
   }
   if (*reported) return report(parsed.report);
   if (*shown) return show(parsed.paths);
