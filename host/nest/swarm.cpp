@@ -61,6 +61,7 @@ std::optional<std::string> SwarmOptions::invalid() const {
   };
   if (particles < 1) return wrong("particles", particles, "at least one");
   if (iterations < 0) return wrong("iterations", iterations, "none or more");
+  if (candidates < 1) return wrong("candidates", candidates, "at least one");
   if (swarms < 1 || swarms > particles) return wrong("swarms", swarms, "from one to as many as particles");
   if (patience < 0) return wrong("patience", patience, "a number of iterations, or 0 for never");
   for (const auto& [name, value] : {Named<double>{"inertia", inertia}, {"last-inertia", last_inertia}})
@@ -142,16 +143,18 @@ void Swarm::place(SwarmState& state, int swarm) const {
   double ratio = 2;
   for (int k = 0; k < 40; ++k) ratio = std::pow(1 + ratio, 1.0 / (freedom_ + 1));
   std::vector<double> unit(static_cast<std::size_t>(freedom_)), other(static_cast<std::size_t>(size_));
-  const auto size = static_cast<std::size_t>(size_);
+  const auto size = static_cast<std::size_t>(size_), s = static_cast<std::size_t>(swarm);
+  const int epoch = state.iteration - state.placed[s];  // one lattice for all candidates of a start
   for (int i = first_of(swarm); i < first_of(swarm + 1); ++i) {
     const auto p = static_cast<std::size_t>(i);
     const std::span<double> x(&state.x[p * size], size), v(&state.v[p * size], size);
+    const int point = i + state.placed[s] * options_.particles;
     double step = 1;
     for (int k = 0; k < freedom_; ++k) {
       step /= ratio;
       const double u = options_.placing == Placing::random
                            ? number(positions, state.iteration, i, k)
-                           : number(shift_of_lattice, state.iteration, 0, k) + step * (i + 1);
+                           : number(shift_of_lattice, epoch, 0, k) + step * (point + 1);
       unit[static_cast<std::size_t>(k)] = u - std::floor(u);
     }
     objective_.place(unit, x);
@@ -161,12 +164,13 @@ void Swarm::place(SwarmState& state, int swarm) const {
     objective_.place(unit, other);
     objective_.space().towards(x, other, v);
     for (double& component : v) component *= options_.first_speed;
+    if (state.placed[s] > 0) continue;
     std::ranges::copy(x, state.own.begin() + static_cast<std::ptrdiff_t>(p * size));
     state.own_value[p] = nothing;
   }
-  const auto s = static_cast<std::size_t>(swarm);
+  if (state.placed[s] == 0) state.top[s] = nothing;
   state.rose[s] = state.iteration;
-  state.top[s] = nothing;
+  ++state.placed[s];
 }
 
 SwarmStep Swarm::ask(SwarmState& state) const {
@@ -210,7 +214,7 @@ SwarmState Swarm::start() const {
   state.v.resize(n * size);
   state.own.resize(n * size);
   state.own_value.resize(n);
-  for (auto* iterations : {&state.rose, &state.drawn})
+  for (auto* iterations : {&state.rose, &state.drawn, &state.placed})
     iterations->resize(static_cast<std::size_t>(options_.swarms));
   state.top.resize(static_cast<std::size_t>(options_.swarms));
   for (int swarm = 0; swarm < options_.swarms; ++swarm) place(state, swarm);
@@ -229,10 +233,17 @@ SwarmStep Swarm::step(SwarmState& state) const {
   ++state.iteration;
   const Pull pull = this->pull(state.iteration);
   for (int swarm = 0; swarm < options_.swarms; ++swarm) {
-    if (options_.patience > 0 &&
-        state.iteration - state.rose[static_cast<std::size_t>(swarm)] > options_.patience) {
+    const auto s = static_cast<std::size_t>(swarm);
+    if (options_.patience > 0 && state.iteration - state.rose[s] > options_.patience) state.placed[s] = 0;
+    if (state.placed[s] < options_.candidates) {
       place(state, swarm);
       continue;
+    }
+    if (state.placed[s] == options_.candidates) {
+      const auto begin = first_of(swarm) * static_cast<std::ptrdiff_t>(size_);
+      std::copy(state.own.begin() + begin, state.own.begin() + first_of(swarm + 1) * size_,
+                state.x.begin() + begin);
+      ++state.placed[s];
     }
     for (int i = first_of(swarm); i < first_of(swarm + 1); ++i) {
       const auto p = static_cast<std::size_t>(i), g = static_cast<std::size_t>(drawn_to[p]);

@@ -35,6 +35,7 @@ struct SwarmOptions {
   Topology topology = Topology::global;
   Placing placing = Placing::lattice;
   double first_speed = 0.5;  ///< first velocities are this part of the way to another random position; >= 0
+  int candidates = 1;        ///< positions that each particle tries before it starts from the best, >= 1
   int swarms = 1;            ///< that know nothing of each other, >= 1
   int patience = 0;          ///< iterations without a rise after which a swarm starts anew; 0: never
   double rise = 1e-4;        ///< the least relative rise that counts as one, >= 0
@@ -87,9 +88,9 @@ class Swarm {
 
   [[nodiscard]] const SwarmOptions& options() const { return options_; }
 
-  /// The particles placed and asked.
+  /// The particles placed and asked: their first candidates.
   [[nodiscard]] SwarmState start() const;
-  /// One iteration further.
+  /// One iteration further: further candidates, then motion.
   SwarmStep step(SwarmState& state) const;
 
  private:

@@ -130,6 +130,30 @@ TEST(Swarm, ParticlesOfOtherSwarmsAreNotFollowed) {
   for (std::size_t k = 0; k < before.size(); ++k) EXPECT_NEAR(state.x[k], before[k], 1e-15);
 }
 
+TEST(Swarm, ParticlesStartFromTheBestOfTheirCandidates) {
+  Target target = mixed_target();
+  SwarmOptions options;
+  options.particles = 10;
+  options.candidates = 6;
+  options.inertia = options.own = options.social = 0;  // so that a particle stays where it starts
+  const Swarm swarm(target, options);
+  SwarmState state = swarm.start();
+  std::vector<double> best = state.own_value;
+  for (int round = 1; round < 6; ++round) {
+    const std::vector<double> before = state.x;
+    swarm.step(state);
+    EXPECT_NE(state.x, before);
+    for (std::size_t i = 0; i < best.size(); ++i) {
+      const double here = target.value(std::span(state.x).subspan(i * 9, 9));
+      best[i] = std::max(best[i], here);
+    }
+  }
+  EXPECT_EQ(state.own_value, best);
+  swarm.step(state);
+  for (std::size_t i = 0; i < best.size(); ++i)
+    EXPECT_NEAR(target.value(std::span(state.x).subspan(i * 9, 9)), best[i], 1e-13) << "projected once more";
+}
+
 TEST(Swarm, MomentumFallsInEqualStepsToTheLast) {
   // One particle, alone: its velocity only shrinks, by the inertia of the iteration.
   Target target({{Block::number, -1e6, 1e6}}, {0});
