@@ -23,20 +23,14 @@ PlacementObjective::Asked PlacementObjective::allowed(std::span<const double> po
 std::vector<double> ScaleInPosition::values(std::span<const double> positions,
                                             std::span<const double> floors) {
   std::vector<double> values(floors.size(), nothing);
-  Asked asked = allowed(positions);
-  // A copy of no size is none, and no feasibility test takes it; nor is one asked for in vain that could not
-  // rise above its floor.
+  // A copy of no size is none, and no feasibility test takes it.
   Asked worth;
-  for (std::size_t k = 0; k < asked.index.size(); ++k) {
-    const double scale = asked.placements[k].pose.scale;
-    if (!(scale > 0)) continue;
-    if (!(scale > floors[asked.index[k]])) {
-      values[asked.index[k]] = floors[asked.index[k]];
-      continue;
+  const Asked asked = allowed(positions);
+  for (std::size_t k = 0; k < asked.index.size(); ++k)
+    if (asked.placements[k].pose.scale > 0) {
+      worth.placements.push_back(asked.placements[k]);
+      worth.index.push_back(asked.index[k]);
     }
-    worth.placements.push_back(asked.placements[k]);
-    worth.index.push_back(asked.index[k]);
-  }
   const std::vector<Verdict> verdicts = feasibility_->check(worth.placements);
   for (std::size_t k = 0; k < verdicts.size(); ++k)
     if (verdicts[k].valid()) values[worth.index[k]] = worth.placements[k].pose.scale;

@@ -207,7 +207,7 @@ SwarmStep Swarm::ask(SwarmState& state) const {
   return step;
 }
 
-SwarmState Swarm::start() const {
+SwarmState Swarm::start(SwarmStep* step) const {
   const auto n = static_cast<std::size_t>(options_.particles), size = static_cast<std::size_t>(size_);
   SwarmState state;
   state.x.resize(n * size);
@@ -218,7 +218,8 @@ SwarmState Swarm::start() const {
     iterations->resize(static_cast<std::size_t>(options_.swarms));
   state.top.resize(static_cast<std::size_t>(options_.swarms));
   for (int swarm = 0; swarm < options_.swarms; ++swarm) place(state, swarm);
-  ask(state);
+  const SwarmStep first = ask(state);
+  if (step) *step = first;
   return state;
 }
 

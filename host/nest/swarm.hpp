@@ -89,7 +89,8 @@ class Swarm {
   [[nodiscard]] const SwarmOptions& options() const { return options_; }
 
   /// The particles placed and asked: their first candidates.
-  [[nodiscard]] SwarmState start() const;
+  /// @param step  where to say what that gave; may be nullptr
+  [[nodiscard]] SwarmState start(SwarmStep* step = nullptr) const;
   /// One iteration further: further candidates, then motion.
   SwarmStep step(SwarmState& state) const;
 
