@@ -20,6 +20,8 @@ Eigen::Quaterniond quaternion_at(std::span<const double> x, std::size_t at) {
   return {x[at], x[at + 1], x[at + 2], x[at + 3]};
 }
 
+void store(const Vec3& v, std::span<double> x, std::size_t at) { Direction{&x[at]} = v; }
+
 void store(const Eigen::Quaterniond& q, std::span<double> x, std::size_t at) {
   x[at] = q.w();
   x[at + 1] = q.x();
@@ -151,8 +153,7 @@ void PlacementSpace::place(std::span<const double> unit, std::span<double> x) co
   space_.place(unit, x);
   if (centroid_ && !centres_.empty()) {
     const double u = unit[centroid_unit_];
-    Direction(&x[*centroid_]) =
-        centres_[static_cast<std::size_t>(u * u * static_cast<double>(centres_.size()))];
+    store(centres_[static_cast<std::size_t>(u * u * static_cast<double>(centres_.size()))], x, *centroid_);
   }
   if (removal_) {
     // Half of the way from anywhere to the normal: within some 30 degrees of it as a rule.
@@ -166,19 +167,18 @@ void PlacementSpace::place(std::span<const double> unit, std::span<double> x) co
 
 std::vector<double> PlacementSpace::position(const Placement& placement) const {
   std::vector<double> x(static_cast<std::size_t>(space_.size()));
-  const auto put = [&](const Vec3& v, std::size_t at) { Direction(&x[at]) = v; };
   if (scale_) x[*scale_] = placement.pose.scale;
   if (rotation_) {
     Eigen::Matrix3d rotation = placement.pose.rotation;
     if (freedom_.rotation == Freedom::upright) rotation *= freedom_.given.pose.rotation.transpose();
     store(Eigen::Quaterniond(rotation), x, *rotation_);
   }
-  if (centroid_) put(placement.pose.centroid, *centroid_);
-  if (normal_) put(placement.cut.normal, *normal_);
+  if (centroid_) store(placement.pose.centroid, x, *centroid_);
+  if (normal_) store(placement.cut.normal, x, *normal_);
   if (offset_) x[*offset_] = placement.cut.offset - placement.cut.normal.dot(placement.pose.centroid);
   if (removal_) {
-    put(placement.cut.plus, *removal_);
-    put(placement.cut.minus, *removal_ + 3);
+    store(placement.cut.plus, x, *removal_);
+    store(placement.cut.minus, x, *removal_ + 3);
   }
   project(x);
   return x;

@@ -61,6 +61,7 @@ struct SwarmState {
   std::vector<double> own_value;
   std::vector<int> rose;     ///< of every swarm, the iteration in which its best last rose,
   std::vector<int> drawn;    ///< the last one in which it did not,
+  std::vector<int> placed;   ///< the positions its particles have tried to start from,
   std::vector<double> top;   ///< and its best since it was placed
   std::vector<double> best;  ///< the best position ever seen; empty before the first
   double best_value = -std::numeric_limits<double>::infinity();
