@@ -48,6 +48,8 @@ def read(path, arrays=True):
                 record[name] = {**_attributes(group), **_tables(group, () if arrays else LARGE)}
             if "verified" in file:
                 record["verified"]["values"] = _attributes(file["verified/values"])
+                materials = file.get("verified/materials") or {}  # early records have none
+                record["verified"]["materials"] = {name: _attributes(group) for name, group in materials.items()}
             return record
     except OSError as error:
         reason = "no such file" if not path.exists() else str(error).split("(")[-1].rstrip(")")

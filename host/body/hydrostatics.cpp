@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace kreisel {
 namespace {
@@ -22,10 +23,15 @@ struct Section {
     xy += c * (p[0] * q[1] + 2 * p[0] * p[1] + 2 * q[0] * q[1] + q[0] * p[1]) / 24;
   }
 
-  [[nodiscard]] double least_second_moment() const {
-    if (!(area > 0)) return 0;
+  struct Least {
+    double moment = 0, axis = 0;
+  };
+  /// Of all axes through the centroid.
+  [[nodiscard]] Least least_second_moment() const {
+    if (!(area > 0)) return {};
     const double a = xx - x * x / area, b = yy - y * y / area, c = xy - x * y / area;
-    return std::max(0.0, (a + b) / 2 - std::hypot((a - b) / 2, c));
+    // About an axis at t it is (a + b) / 2 - (a - b) / 2 cos 2t - c sin 2t.
+    return {std::max(0.0, (a + b) / 2 - std::hypot((a - b) / 2, c)), std::atan2(c, (a - b) / 2) / 2};
   }
 };
 
@@ -87,18 +93,31 @@ Hydrostatics hydrostatics(const TriangleMesh& mesh, double waterline) {
   result.volume = sum.volume;
   result.centre_of_buoyancy = sum.volume > 0 ? Vec3(origin + sum.first / sum.volume) : origin;
   result.waterplane_area = sum.section.area;
-  result.least_second_moment = sum.section.least_second_moment();
+  const Section::Least least = sum.section.least_second_moment();
+  result.least_second_moment = least.moment;
+  result.least_axis = least.axis;
   return result;
 }
 
 double waterline_of(const TriangleMesh& mesh, double volume) {
   const Box box = bounding_box(mesh);
-  double low = box.lo[2], high = box.hi[2];
-  for (int halving = 0; halving < 60; ++halving) {  // 2^-60 of the height is below round-off
-    const double middle = (low + high) / 2;
-    (submerged(mesh, origin_at(box, middle)).volume < volume ? low : high) = middle;
+  double low = box.lo[2], high = box.hi[2], z = (low + high) / 2;
+  const double round_off = 1e-15 * box.extent()[2];
+  double before = std::numeric_limits<double>::infinity();
+  // Newton's method, whose slope is the section's area; where it does not halve the error, or leaves what is
+  // known to hold the waterline, a halving of that.
+  for (int step = 0; step < 120; ++step) {
+    const Submerged sum = submerged(mesh, origin_at(box, z));
+    const double error = sum.volume - volume;
+    (error < 0 ? low : high) = z;
+    double next = z - error / sum.section.area;
+    if (std::abs(next - z) <= round_off) return next;
+    if (!(next > low && next < high) || !(std::abs(error) < before / 2)) next = (low + high) / 2;
+    if (high - low <= round_off) break;
+    before = std::abs(error);
+    z = next;
   }
-  return (low + high) / 2;
+  return z;
 }
 
 }  // namespace kreisel

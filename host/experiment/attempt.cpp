@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "error.hpp"
 #include "experiment/run_text.hpp"
@@ -23,29 +26,44 @@ class MeshInProgress {
   ~MeshInProgress() {
     std::error_code ignored;
     if (!partial_.empty()) fs::remove(partial_, ignored);
+    for (const auto& [from, to] : others_) fs::remove(from, ignored);
   }
   MeshInProgress(const MeshInProgress&) = delete;
   MeshInProgress& operator=(const MeshInProgress&) = delete;
 
   [[nodiscard]] std::string file() const { return partial_.string(); }
 
-  /// The record names the mesh as it will be.
-  void name_in(RunResult& result) const {
-    if (!partial_.empty()) result.verified.file = target_.string();
+  /// The record names the meshes, one a material, as they will be.
+  void name_in(RunResult& result) {
+    if (partial_.empty()) return;
+    result.verified.file = target_.string();
+    for (WrittenMaterial& material : result.verified.materials) {
+      const std::string name = material.file.filename().string(), stem = partial_.stem().string();
+      const fs::path kept =
+          target_.parent_path() / (target_.stem().string() + name.substr(std::min(stem.size(), name.size())));
+      if (material.file != partial_) others_.emplace_back(material.file, kept);
+      material.file = kept;
+    }
   }
 
   void keep() {
     if (partial_.empty()) return;
-    std::error_code error;
-    fs::rename(partial_, target_, error);
-    if (error)
-      throw InputError(
-          fmt::format("{}: {}, expected to keep the mesh there", target_.string(), error.message()));
+    for (const auto& [from, to] : others_) rename(from, to);
+    rename(partial_, target_);
+    others_.clear();
     partial_.clear();
   }
 
  private:
+  static void rename(const fs::path& from, const fs::path& to) {
+    std::error_code error;
+    fs::rename(from, to, error);
+    if (error)
+      throw InputError(fmt::format("{}: {}, expected to keep the mesh there", to.string(), error.message()));
+  }
+
   fs::path target_, partial_;
+  std::vector<std::pair<fs::path, fs::path>> others_;  ///< of further materials: as written, as kept
 };
 
 class Solve final : public Attempt {

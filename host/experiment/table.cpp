@@ -12,8 +12,12 @@
 #include "experiment/run_text.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/settings_table.hpp"
+#include "experiment/simulation_table.hpp"
 #include "experiment/speedup_table.hpp"
+#include "experiment/standing_table.hpp"
 #include "experiment/table_parts.hpp"
+#include "experiment/top_table.hpp"
+#include "experiment/voids_table.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel {
@@ -29,6 +33,13 @@ const std::vector<TableKind>& table_kinds() {
       {"certificate", "a row a run: certified bound, gap, boxes, seconds", certificate_tables},
       {"maps", "a row a map of orientations and draft: how much is feasible, which axis is best",
        maps_tables},
+      {"standing",
+       "a block a body: height of the centre of mass and tilt, by target and solver, beside a paper",
+       standing_tables},
+      {"voids", "a row a run: pieces of the void, islands, planar cuts, beside a paper", voids_tables},
+      {"tops", "a row a run: height, moments and least speed of the solid and the part, beside a paper",
+       top_tables},
+      {"simulation", "a row a run: solid and part set spinning beside each other", simulation_tables},
       {"inertia", "a block a run: inertia tensor and principal moments before and after", inertia_tables},
   };
   return all;

@@ -46,8 +46,11 @@ struct RecordSummary {
   double rounded_objective = 0, rounded_violation = 0;
   std::size_t mended_voxels = 0, moved_voxels = 0;
   bool has_part = true;  ///< without one, `verified_text` says why, and nothing is rounded or written
+  std::size_t voids = 0, islands = 0, cuts = 0;  ///< pieces of the void, loose in it, planes that open all
   bool verified_ok = false;
   std::string verified_text;
+  std::map<std::string, double> verified_values;  ///< the numbers behind it
+  double voids_mm3 = 0, largest_void_mm3 = 0;
   double length_mm = 1, mass_unit_grams = 1;  ///< one body unit in model units
   double solid_objective = 0;
   /// Totals in body frame and units: nothing hollowed, at the optimum, of the written file.

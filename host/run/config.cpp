@@ -98,7 +98,11 @@ const std::map<std::string_view, Setter>& setters() {
       {"unit", [](C c, S, S v) { c.body.unit = find_length_unit(v); }},
       {"size", [](C c, S k, S v) { c.body.size = number(k, v); }},
       {"density", [](C c, S k, S v) { c.body.density = number(k, v); }},
+      {"interior-density", [](C c, S k, S v) { c.body.interior_density = number(k, v); }},
       {"void-density", [](C c, S k, S v) { c.body.void_density = number(k, v); }},
+      {"axle", [](C c, S k, S v) { c.body.axle.radius = number(k, v); }},
+      {"slot", [](C c, S k, S v) { c.body.axle.slot = number(k, v); }},
+      {"axle-depth", [](C c, S k, S v) { c.body.axle.depth = number(k, v); }},
       {"fineness", [](C c, S k, S v) { c.body.fineness = whole(k, v, 1); }},
       // A name that nobody knows is told where it is written, not when its turn comes.
       {"problem", [](C c, S, S v) { c.problem = find_problem(v).name; }},
@@ -221,12 +225,17 @@ std::map<std::string, std::string> describe(const RunConfig& config) {
   fields["resolution"] = text_of(config.grid);
   fields["wall"] = to_string(config.wall);
   fields["density"] = fmt::format("{}", config.body.density);
+  if (config.body.interior_density)
+    fields["interior-density"] = fmt::format("{}", *config.body.interior_density);
   if (config.body.void_density != 0) fields["void-density"] = fmt::format("{}", config.body.void_density);
   if (config.body.axis) fields["axis"] = text_of(*config.body.axis);
   if (config.body.up) fields["up"] = text_of(*config.body.up);
   if (config.body.contact) fields["contact"] = text_of(*config.body.contact);
   if (config.body.unit) fields["unit"] = config.body.unit->name;
   if (config.body.size) fields["size"] = fmt::format("{}", *config.body.size);
+  if (config.body.axle.radius) fields["axle"] = fmt::format("{}", *config.body.axle.radius);
+  if (config.body.axle.slot) fields["slot"] = fmt::format("{}", *config.body.axle.slot);
+  if (config.body.axle.depth) fields["axle-depth"] = fmt::format("{}", *config.body.axle.depth);
   if (config.body.fineness) fields["fineness"] = std::to_string(config.body.fineness);
   if (config.rounding == Rounding::nearest) fields["rounding"] = "nearest";
   if (config.part == Part::none) fields["part"] = "none";

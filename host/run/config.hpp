@@ -54,8 +54,8 @@ struct RunConfig {
 
 /// Sets one field from text, as the command line and TOML files name them: model, problem, formulation,
 /// solver, domain, resolution (N or NXxNYxNZ), wall, rounding, part, axis, contact, up ("x,y,z"), unit, size,
-/// density, void-density, fineness, device, precision, repeat, budget, certify, and GROUP.NAME for settings.
-/// Any of axes, through and drafts ("20%,40%") makes the run a map.
+/// density, interior-density, void-density, axle, slot, axle-depth (mm), fineness, device, precision,
+/// repeat, budget, certify, and GROUP.NAME for settings. Any of axes, through and drafts ("20%,40%") makes the run a map.
 ///
 /// @throws InputError  unknown key or unfit value; names both and what was expected
 void set_field(RunConfig& config, std::string_view key, std::string_view value);

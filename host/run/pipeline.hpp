@@ -14,7 +14,8 @@ using Progress = std::function<void(const std::string& step)>;
 
 struct RunOutput {
   RunResult result;
-  TriangleMesh outer, cavity;  ///< the part as written: model coordinates, mm. No cavity where part = none
+  /// Of the part, and of its voids: model coordinates, mm. No cavity where part = none.
+  TriangleMesh outer, cavity;
 };
 
 /// Body -> domain -> formulation -> solver (repeated) -> round -> void surface -> written file -> verdict;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "run/config.hpp"
+#include "run/simulation.hpp"
 
 namespace kreisel::bench {
 
@@ -42,6 +43,16 @@ struct MapOptions {
 };
 /// Where a body can spin, or float: every orientation over one domain.
 int map_model(const MapOptions& options);
+
+struct SimulateOptions {
+  std::string record;  ///< of a run; else the mesh of `config`
+  RunConfig config;
+  bool mesh = false, omega = false;  ///< were they given?
+  SimulationSpec spec;
+  std::string json_file, record_file;  ///< empty: not written; json "-" is standard output
+};
+/// Sets a solid and the part made of it in motion, side by side.
+int simulate_part(const SimulateOptions& options);
 
 struct ReportOptions {
   std::vector<std::string> experiments;  ///< as ExperimentOptions::name; empty: all that have records

@@ -13,6 +13,7 @@
 
 #include "apps/bench/commands.hpp"
 #include "apps/bench/outputs.hpp"
+#include "apps/bench/simulate_options.hpp"
 #include "device/device.hpp"
 #include "error.hpp"
 #include "memory.hpp"
@@ -37,12 +38,16 @@ constexpr std::pair<const char*, const char*> fields[] = {
     {"rounding", "of the written part: nearest, or fitted so that the constraints hold (default)"},
     {"part", "written (default), or none: the run ends with the solve"},
     {"axis", "spin axis x,y,z in model coordinates; default up"},
-    {"contact", "a point of the axis, mm; default the lowest point along it"},
+    {"contact", "a point of the axis, mm; default the lowest along it, for yoyo the centre of mass"},
     {"up", "up direction x,y,z; default the model's, else 0,0,1"},
     {"unit", "of an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm"},
     {"size", "longest side in mm; default as the model is"},
-    {"density", "g/cm^3; default 1"},
+    {"density", "of the shell, g/cm^3; default 1"},
+    {"interior-density", "of what is left of the interior, g/cm^3; default the shell's"},
     {"void-density", "of what fills the voids, g/cm^3; default 0"},
+    {"axle", "yoyo: radius of an axle between two halves, mm; default none, the body stays whole"},
+    {"slot", "yoyo: gap between the halves, mm; default the axle's radius"},
+    {"axle-depth", "yoyo: of the hole for the axle in each half, mm; default twice its radius"},
     {"fineness", "of a parametric model: about 20 n^2 triangles"},
     {"device", "index or part of a name; default KREISEL_DEVICE, else a GPU, else PoCL"},
     {"precision", "automatic or single (compensated)"},
@@ -53,6 +58,7 @@ constexpr std::pair<const char*, const char*> fields[] = {
 /// Settings of problems with an option of their own: option, setting, help.
 constexpr std::tuple<const char*, const char*, const char*> problem_settings[] = {
     {"target", "problem.target", "stand: centre, inside or max-tilt; default centre"},
+    {"lower", "problem.lower", "top: mass, height or none, beside the inertia ratio; default mass"},
     {"draft", "problem.draft", "float: 60% of the height, mm, grams (40g) or solid; default 60%"},
     {"fluid-density", "problem.fluid_density", "float: g/cm^3; default 1"},
     {"point", "problem.point", "balance: where the centre of mass is to be, x,y,z in mm"},
@@ -64,6 +70,7 @@ struct Parsed {
   ExperimentOptions experiment;
   ReportOptions report;
   MapOptions map;
+  SimulateOptions simulate;
   std::vector<std::pair<std::string, std::string>> given;  ///< field, text
   std::vector<std::string> settings, paths;
   std::string only_device;
@@ -110,8 +117,9 @@ void add_inspect_options(CLI::App& app, Parsed& parsed) {
 }
 
 void add_map_options(CLI::App& app, Parsed& parsed) {
-  constexpr std::string_view used[] = {"model",        "resolution", "wall",   "size",     "density",
-                                       "void-density", "fineness",   "device", "precision"};
+  constexpr std::string_view used[] = {"model",   "resolution",       "wall",         "size",
+                                       "density", "interior-density", "void-density", "fineness",
+                                       "device",  "precision"};
   for (const auto& [name, help] : fields)
     if (std::ranges::find(used, std::string_view(name)) != std::end(used))
       add_field(app, parsed, name == std::string_view("model") ? "model,--model" : fmt::format("--{}", name),
@@ -185,6 +193,16 @@ int dispatch(int argc, char** argv) {
   CLI::App* mapped = app.add_subcommand(
       "map", "every orientation over one domain: about which axes can a body spin, or float");
   add_map_options(*mapped, parsed);
+  CLI::App* simulated = app.add_subcommand(
+      "simulate", "set a part and the solid it was made of in motion: what does physics say?");
+  add_simulate_options(*simulated, parsed.simulate, [&](const std::string& field, const std::string& text) {
+    parsed.given.emplace_back(field, text);
+  });
+  for (const auto& [name, help] : fields)
+    for (const char* used : {"axis", "up", "unit", "size", "density", "void-density", "fineness", "device"})
+      if (name == std::string_view(used))
+        add_field(*simulated, parsed, fmt::format("--{}", name), name, help);
+  simulated->add_option("--set", parsed.settings, "problem.NAME=VALUE")->allow_extra_args(false);
   CLI::App* reported =
       app.add_subcommand("report", "tables and figures of experiments that have been run, as one HTML page");
   reported->add_option("experiments", parsed.report.experiments, "default: all that have records");
@@ -213,6 +231,11 @@ int dispatch(int argc, char** argv) {
     apply(parsed);
     parsed.map.config = parsed.once.config;
     return map_model(parsed.map);
+  }
+  if (*simulated) {
+    apply(parsed);
+    parsed.simulate.config = parsed.once.config;
+    return simulate_part(parsed.simulate);
   }
   if (*reported) return report(parsed.report);
   if (*shown) return show(parsed.paths);

@@ -1,0 +1,54 @@
+#include "apps/bench/simulate_options.hpp"
+
+#include <fmt/format.h>
+
+#include "error.hpp"
+
+namespace kreisel::bench {
+
+void add_simulate_options(CLI::App& app, SimulateOptions& simulate,
+                          const std::function<void(const std::string&, const std::string&)>& give) {
+  app.add_option("run", simulate.record, "what `bench --record` wrote: its solid and its part");
+  app.add_option_function<std::string>(
+      "--mesh,--model",
+      [give, &simulate](const std::string& text) {
+        simulate.mesh = true;
+        give("model", text);
+      },
+      "a mesh file, or a name of `bench list`: itself, and what its outermost surface encloses");
+  app.add_option_function<std::string>(
+      "--problem", [give](const std::string& text) { give("problem", text); },
+      "of a mesh: spin (default), top, yoyo, stand or float");
+  app.add_option_function<std::string>(
+      "--contact",
+      [give, &simulate](const std::string& text) {
+        for (const auto& [contact, name] : contacts)
+          if (name == text) {
+            simulate.spec.contact = contact;
+            return;
+          }
+        if (text.find(',') == std::string::npos)
+          throw InputError(fmt::format("--contact {}; expected gliding, held, free, or a point x,y,z", text));
+        give("contact", text);
+      },
+      "how the tip touches the ground: gliding (default), held or free; of a mesh also where: x,y,z in mm");
+  app.add_option_function<double>(
+      "--omega",
+      [&simulate](double rpm) {
+        simulate.omega = true;
+        simulate.spec.spin.rpm = rpm;
+      },
+      "rpm; default a tenth above the least from which the part is stable");
+  app.add_option("--tilt", simulate.spec.spin.tilt_degrees, "at the start, degrees")->capture_default_str();
+  app.add_option("--seconds", simulate.spec.spin.seconds, "to simulate")->capture_default_str();
+  app.add_flag("--scan", simulate.spec.scan, "over a hundred speeds, too");
+  app.add_option("--axle", simulate.spec.axle_mm,
+                 "yoyo: radius of the axle, mm; then it runs down its string, too");
+  app.add_option_function<std::string>(
+      "--fluid-density", [give](const std::string& text) { give("problem.fluid_density", text); },
+      "float: g/cm^3; default 1");
+  app.add_option("--json", simulate.json_file, "write it all as JSON; - for standard output");
+  app.add_option("--record", simulate.record_file, "write the simulation as HDF5");
+}
+
+}  // namespace kreisel::bench

@@ -1,0 +1,132 @@
+#include "run/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "body/hydrostatics.hpp"
+#include "error.hpp"
+#include "parse.hpp"
+#include "physics/units.hpp"
+#include "problem/problem.hpp"
+#include "solve/interrupt.hpp"
+
+namespace kreisel {
+namespace {
+
+/// Speeds at which something changes, with any contact.
+void add_bounds(std::vector<double>& speeds, const Moments& s, double length_mm) {
+  for (const auto& [contact, name] : contacts)
+    for (const SpeedRange& range : stable_rpm(s, length_mm, contact)) {
+      speeds.push_back(range.low);
+      if (std::isfinite(range.high)) speeds.push_back(range.high);
+    }
+}
+
+double default_rpm(const Subject& subject, Contact contact) {
+  const auto ranges = stable_rpm(subject.part, subject.solid.frame.length, contact);
+  if (const auto above = stable_above(ranges); above && *above > 0) return 1.1 * *above;
+  if (!ranges.empty() && std::isfinite(ranges.back().high))
+    return (ranges.back().low + ranges.back().high) / 2;
+  if (!ranges.empty()) return rpm_per_unit(subject.solid.frame.length);  // at any: one radian a unit of time
+  throw InputError(
+      fmt::format("{} can spin stably at no speed, moments {:.3g}, {:.3g} and {:.3g} about z, in "
+                  "body units; expected a speed, --omega RPM, to see it fall",
+                  subject.solid.name, inertia_about_centre(subject.part)(0, 0),
+                  inertia_about_centre(subject.part)(1, 1), inertia_about_centre(subject.part)(2, 2)));
+}
+
+std::vector<double> scan_speeds(const Subject& subject, double rpm) {
+  std::vector<double> speeds = {rpm};
+  add_bounds(speeds, subject.solid.solid, subject.solid.frame.length);
+  add_bounds(speeds, subject.part, subject.solid.frame.length);
+  // A body all but as stable about another axis needs a speed out of all proportion.
+  const double most = std::min(2 * *std::ranges::max_element(speeds), 10 * rpm);
+  constexpr int count = 100;
+  std::vector<double> scan;
+  for (int i = 1; i <= count; ++i) scan.push_back(most * i / count);
+  return scan;
+}
+
+/// A problem's setting as a number; problems refuse what is none.
+double setting(const RunConfig& config, const std::string& name, const char* unit, double otherwise) {
+  const auto settings = settings_of(config, "problem");
+  const auto found = settings.find(name);
+  return found == settings.end() ? otherwise : parse_with_unit(found->second, unit).value_or(otherwise);
+}
+
+std::vector<Toppling> stand_of(const Subject& subject, const Moments& s) {
+  const SupportPolygon base = support_polygon(subject.solid, setting(subject.config, "base", "%", 0.1) / 100);
+  return tilt_the_plane(base, bounding_box(subject.solid.local).lo[2], centre_of_mass(s));
+}
+
+/// Of both sides the one on which it comes back from less.
+RightingArm weaker_side(const Afloat& afloat, double azimuth) {
+  RightingArm one = righting_arm(afloat, azimuth);
+  stop_if_interrupted();
+  RightingArm other = righting_arm(afloat, azimuth + std::numbers::pi);
+  return other.vanishing && other.vanishing < one.vanishing.value_or(std::numbers::pi) ? other : one;
+}
+
+std::vector<RightingArm> float_of(const Subject& subject, const Moments& s) {
+  const Body& solid = subject.solid;
+  const double volume = s[S1] * solid.density / setting(subject.config, "fluid_density", "", 1);
+  if (!(volume < hydrostatics(solid.local, bounding_box(solid.local).hi[2]).volume)) return {};  // it sinks
+  const Afloat afloat{solid.local, centre_of_mass(s), volume};
+  const double axis = hydrostatics(solid.local, waterline_of(solid.local, volume)).least_axis;
+  return {weaker_side(afloat, axis), weaker_side(afloat, axis + std::numbers::pi / 2)};
+}
+
+SimulatedBody look_at(const Subject& subject, const Moments& s, const Problem& problem,
+                      const Simulation& simulation) {
+  const double length = subject.solid.frame.length;
+  SimulatedBody body;
+  body.moments = s;
+  body.verdict = problem.verify(s, length);
+  if (problem.name() == "stand")
+    body.toppling = stand_of(subject, s);
+  else if (problem.name() == "float")
+    body.righting = float_of(subject, s);
+  else
+    body.spin = check_spin(s, length, simulation.spin);
+  if (simulation.axle_mm > 0) body.fall = yoyo_fall(s, simulation.axle_mm / length);
+  stop_if_interrupted();
+  return body;
+}
+
+}  // namespace
+
+Simulation simulate(const Subject& subject, const SimulationSpec& spec, const device::Device& device) {
+  const RunConfig& config = subject.config;
+  constexpr std::array<std::string_view, 5> simulated = {"spin", "top", "yoyo", "stand", "float"};
+  if (std::ranges::find(simulated, config.problem) == simulated.end())
+    throw InputError(fmt::format(
+        "nothing of the problem '{}' moves; expected spin, top, yoyo, stand or float", config.problem));
+  if (spec.axle_mm != 0 && (config.problem != "yoyo" || !(spec.axle_mm > 0)))
+    throw InputError(fmt::format("an axle of radius {} mm for {}; expected one > 0 for yoyo", spec.axle_mm,
+                                 config.problem));
+  Simulation result;
+  result.config = config;
+  result.provenance = make_provenance(device);
+  result.body_name = subject.solid.name;
+  result.length_mm = subject.solid.frame.length;
+  result.mass_unit_grams = subject.solid.mass_grams();
+  result.hollow = subject.hollow;
+  result.axle_mm = spec.axle_mm;
+  result.spin = spec.spin;
+  if (!find_problem(config.problem).upright) {
+    result.spin.contact = spec.contact.value_or(config.problem == "yoyo" ? Contact::free : Contact::gliding);
+    if (result.spin.rpm == 0) result.spin.rpm = default_rpm(subject, result.spin.contact);
+    if (spec.scan) result.spin.scan_rpm = scan_speeds(subject, result.spin.rpm);
+    result.spin.stop = interrupted;
+  }
+  const auto problem = make_problem(config.problem, settings_of(config, "problem"), subject.solid);
+  result.solid = look_at(subject, subject.solid.solid, *problem, result);
+  result.part = look_at(subject, subject.part, *problem, result);
+  return result;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,48 @@
+#include "run/subject.hpp"
+
+#include "body/mesh_moments.hpp"
+#include "body/source.hpp"
+#include "mesh/components.hpp"
+#include "mesh/repair.hpp"
+#include "problem/problem.hpp"
+
+namespace kreisel {
+namespace {
+
+/// The surfaces that no other surface encloses.
+TriangleMesh outermost(const TriangleMesh& mesh) {
+  const std::vector<Shell> all = shells(mesh);
+  const auto around = enclosing_shells(mesh, all);
+  TriangleMesh outer;
+  outer.vertices = mesh.vertices;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (around[i].empty())
+      for (const std::uint32_t t : all[i].triangles) outer.triangles.push_back(mesh.triangles[t]);
+  RepairReport report;  // of vertices that only the voids use
+  return outer.triangles.size() == mesh.triangles.size() ? mesh : repaired(std::move(outer), report);
+}
+
+}  // namespace
+
+Subject subject_of_mesh(const RunConfig& config, device::Device& device) {
+  BodySpec spec = config.body;
+  spec.stands_upright = find_problem(config.problem).upright;
+  Source source = load_solid(spec);
+  TriangleMesh whole = source.mesh;
+  source.mesh = outermost(whole);
+  Subject subject;
+  subject.config = config;
+  subject.solid = make_body(spec, std::move(source), device);
+  const Body& body = subject.solid;
+  subject.hollow = whole.triangles.size() != body.mesh.triangles.size();
+  // As make_body() has scaled it.
+  const double scale = bounding_box(body.mesh).extent().maxCoeff() / bounding_box(whole).extent().maxCoeff();
+  for (Vec3& v : whole.vertices) v *= scale;
+  const Moments material = reference::mesh_moments(to_body(body.frame, std::move(whole))).value;
+  const Moments voids = body.solid - body.added - material;
+  subject.part =
+      subject.hollow ? Moments(body.solid - (1 - body.void_density / body.density) * voids) : body.solid;
+  return subject;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,21 @@
+// subject.hpp - what a simulation looks at: a solid and the part that was made of it.
+#pragma once
+
+#include "run/config.hpp"
+
+namespace kreisel {
+
+/// In the body frame and units of the solid.
+struct Subject {
+  RunConfig config;                ///< of which problem, its settings and the device matter
+  Body solid;                      ///< without its meshes, where those are not needed
+  Moments part = Moments::Zero();  ///< with what fills its voids
+  bool hollow = true;              ///< whether solid and part differ
+};
+
+/// Of a mesh, or the name of a model: the solid is what the outermost surfaces enclose, the part is the mesh
+/// as it is.
+/// @throws InputError  as make_body()
+[[nodiscard]] Subject subject_of_mesh(const RunConfig& config, device::Device& device);
+
+}  // namespace kreisel

@@ -1,0 +1,121 @@
+// simulate_test.cpp - `bench simulate` as a user runs it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "apps/run_bench.hpp"
+#include "temporary_folder.hpp"
+
+namespace kreisel {
+namespace {
+
+using nlohmann::json;
+
+class BenchSimulate : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_.path / name).string(); }
+
+  const TemporaryFolder folder_;
+};
+
+constexpr const char* quick = "--formulation quadric --resolution 24 --fineness 16";
+
+TEST_F(BenchSimulate, ThePartSpinsWhereTheSolidDoesNotFromARecordAsFromItsMesh) {
+  const BenchAnswer made =
+      bench(fmt::format("{} --record {} --mesh {}", quick, file("run.h5"), file("part.stl")));
+  ASSERT_EQ(made.code, 0) << made.out;
+  const BenchAnswer a = bench(fmt::format("simulate {} --seconds 2 --record {} --json {}", file("run.h5"),
+                                          file("sim.h5"), file("s.json")));
+  ASSERT_EQ(a.code, 0) << a.out;
+  for (const char* part :
+       {"gliding on a plane", "eq. 1", "none within 10 degrees", "falls over", "stable", "drift"})
+    EXPECT_NE(a.out.find(part), std::string::npos) << part << " in " << a.out;
+  const json from_record = json::parse(std::ifstream(file("s.json")));
+  EXPECT_FALSE(from_record.at("solid").at("spin").at("stable").get<bool>());
+  EXPECT_FALSE(from_record.at("solid").at("spin").at("stays").get<bool>());
+  const json& part = from_record.at("part").at("spin");
+  EXPECT_TRUE(part.at("stable").get<bool>());
+  EXPECT_TRUE(part.at("stays").get<bool>());
+  EXPECT_LT(part.at("energy_drift").get<double>(), 1e-9);
+  // Its two lateral moments differ, so all speeds are stable from eq. 1 on, and from there alone.
+  EXPECT_NEAR(part.at("stable_rpm").at("gliding").back().at(0).get<double>(),
+              from_record.at("part").at("values").at("omega_min_rpm").get<double>(), 0.1);
+
+  const BenchAnswer b =
+      bench(fmt::format("simulate --mesh {} --contact 27.05,19.5,0 --omega {} --seconds 2 --json - ",
+                        file("part.stl"), from_record.at("rpm").get<double>()));
+  ASSERT_EQ(b.code, 0) << b.out;
+  const json from_mesh = json::parse(b.out);
+  EXPECT_TRUE(from_mesh.at("hollow").get<bool>());
+  EXPECT_NEAR(from_mesh.at("part").at("spin").at("largest_tilt_degrees").get<double>(),
+              part.at("largest_tilt_degrees").get<double>(), 0.01);
+
+  if (std::system("/usr/bin/python3 -c 'import h5py' 2>/dev/null") != 0)
+    GTEST_SKIP() << "h5py is not installed";
+  const BenchAnswer h = shell(fmt::format("/usr/bin/python3 '{}/tests/record/simulation_h5py_test.py' {}",
+                                          KREISEL_SOURCE, file("sim.h5")));
+  EXPECT_EQ(h.code, 0) << h.out;
+}
+
+TEST_F(BenchSimulate, ASolidHasOneColumnAndTheSameAnswerTwice) {
+  const std::string command = "simulate --model teapot --contact held --omega 4000 --seconds 0.5 --json -";
+  const BenchAnswer a = bench(command);
+  ASSERT_EQ(a.code, 0) << a.out;
+  const json all = json::parse(a.out);
+  EXPECT_FALSE(all.at("hollow").get<bool>());
+  EXPECT_EQ(all.at("contact"), "held");
+  EXPECT_EQ(all.at("solid").at("spin"), all.at("part").at("spin"));
+  EXPECT_EQ(bench(command).out, a.out);
+}
+
+TEST_F(BenchSimulate, WhatStandsAndFloatsDoesSoAsItsVerdictSays) {
+  const auto simulated = [&](const char* run) {
+    const BenchAnswer made = bench(fmt::format(
+        "{} --formulation quadric --resolution 24 --fineness 12 --record {}", run, file("run.h5")));
+    EXPECT_EQ(made.code, 0) << made.out;
+    const BenchAnswer a = bench(
+        fmt::format("simulate {} --record {} --json {}", file("run.h5"), file("sim.h5"), file("s.json")));
+    EXPECT_EQ(a.code, 0) << a.out;
+    EXPECT_NE(a.out.find("verdict"), std::string::npos) << a.out;
+    return json::parse(std::ifstream(file("s.json"))).at("part");
+  };
+  const json stands = simulated("--problem stand --model kitten --target max-tilt");
+  // Two of 360 directions are at most half a degree off the worst: its tangent is 4e-5 larger there.
+  EXPECT_NEAR(stands.at("stand").at("topples_degrees").get<double>(),
+              stands.at("values").at("tilt_degrees").get<double>(), 2e-3);
+
+  const json floats = simulated("--problem float --model duck --draft 50%");
+  const json& least = floats.at("float").at("least");
+  const double height = floats.at("values").at("metacentric_height_mm").get<double>();
+  // The draft is that of the part's own mass, which the verdict lets differ by a thousandth.
+  EXPECT_NEAR(least.at("metacentric_height_mm").get<double>(), height, 0.02);
+  EXPECT_LE(least.at("metacentric_height_mm").get<double>(),
+            floats.at("float").at("across").at("metacentric_height_mm").get<double>());
+  ASSERT_FALSE(least.at("vanishing_degrees").is_null());
+  EXPECT_GT(least.at("vanishing_degrees").get<double>(), 5);
+}
+
+TEST_F(BenchSimulate, RefusesWhatItCannotDoInOneLine) {
+  std::ofstream(file("not.h5")) << "no record";
+  for (const std::string& bad :
+       {std::string(), std::string("--mesh ellipsoid --omega -300"),
+        std::string("--mesh ellipsoid --omega 0"), std::string("--mesh ellipsoid --tilt 0"),
+        std::string("--mesh ellipsoid --seconds -1"), std::string("--mesh ellipsoid --contact sliding"),
+        file("not.h5"), file("none.h5"), file("not.h5") + " --mesh ellipsoid",
+        std::string("--mesh ellipsoid --problem balance --omega 500"),
+        std::string("--mesh ellipsoid --problem spin --axle 3 --omega 500"),
+        std::string("--mesh ellipsoid --record /no/such/folder/s.h5")}) {
+    const BenchAnswer a = bench("simulate " + bad);
+    EXPECT_EQ(a.code, 2) << bad << a.out;
+    EXPECT_EQ(std::ranges::count(a.out, '\n'), 1) << bad << a.out;
+    EXPECT_NE(a.out.find("expected"), std::string::npos) << a.out;
+  }
+}
+
+}  // namespace
+}  // namespace kreisel
