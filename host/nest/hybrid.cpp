@@ -11,6 +11,9 @@ namespace kreisel::nest {
 namespace {
 
 constexpr std::size_t most_witnesses = 48;
+// Positions in single precision are right to this, in nesting units; A's nodes have room for it
+// (sphere_tree.cpp).
+constexpr float slack = 1e-6f;
 
 /// Points of a mesh far from each other, beginning with that farthest from the origin.
 std::vector<Vec3> spread_points(const TriangleMesh& mesh, std::size_t count) {
@@ -32,7 +35,8 @@ std::vector<Vec3> spread_points(const TriangleMesh& mesh, std::size_t count) {
 
 }  // namespace
 
-/// One placement of the two trees.
+/// One placement of the two trees. Nodes are compared in single precision with room for its rounding,
+/// triangles in double.
 class Hybrid::Descent {
  public:
   Descent(const Hybrid& hybrid, const Placement& placement)
@@ -84,9 +88,17 @@ class Hybrid::Descent {
 
  private:
   using Node = SphereTree::Node;
+  using Vec3f = Eigen::Vector3f;
+  using Matrix3f = Eigen::Matrix3f;
+  /// A half's frame, for nodes.
+  struct View {
+    Matrix3f axes, turn;  ///< of A's and of B's points
+    Vec3f shift, normal;
+    float offset, way;  ///< way along the removal direction for each unit beyond the cut
+  };
   struct Pair {
     std::uint32_t a, b;
-    Vec3 at_a, at_b;  ///< of A's sphere in the half's frame; of B's before it is scaled and moved
+    Vec3f at_a, at_b;  ///< of A's sphere in the half's frame; of B's before it is scaled and moved
   };
 
   [[nodiscard]] Verdict fault(Fault fault, const Vec3& point) const {
@@ -121,13 +133,26 @@ class Hybrid::Descent {
     return {frames_[half_], corner(0), corner(1), corner(2)};
   }
 
+  /// Whether nothing in ball and slab of one node is in the way of what is in those of the other.
   [[nodiscard]] bool clear(const Pair& p, const Node& a, const Node& b) const {
-    const double radius = scale_ * b.radius, reach = a.radius + radius;
-    const Vec3 at_b = scale_ * p.at_b + shift_;
-    if (frames_[half_].beyond(p.at_a) < -a.radius || frames_[half_].beyond(at_b) < -radius) return true;
-    Vec3 apart = p.at_a - at_b;
-    apart.z() = std::max(apart.z(), 0.0);  // A below B is in its way
-    return apart.squaredNorm() > reach * reach * (1 + 1e-12) + 1e-24;
+    const float scale = float(scale_), radius = scale * b.radius, reach = a.radius + radius;
+    const Vec3f at_b = scale * p.at_b + view_.shift;
+    if (view_.normal.dot(p.at_a) - view_.offset < -a.radius) return true;
+    const float beyond = view_.normal.dot(at_b) - view_.offset;
+    if (beyond < -radius - slack) return true;
+    Vec3f apart = p.at_a - at_b;
+    const float above = apart.z();
+    apart.z() = std::max(above, 0.0f);  // A below B is in its way
+    if (apart.squaredNorm() > reach * reach) return true;
+    // All that B's ball sweeps on one side of A's slab: at both ends of the way to the cut, a ball's width
+    // further.
+    const Vec3f na = view_.axes * a.normal;
+    const float start = -na.dot(p.at_a - at_b),
+                end = start - na.z() * std::max(beyond + radius + slack, 0.0f) * view_.way;
+    if (std::max(start, end) + radius < a.least || std::min(start, end) - radius > a.most) return true;
+    // A's ball above the slab of an upper side of B.
+    const Vec3f nb = view_.turn * b.normal;
+    return nb.z() >= 0 && nb.dot(p.at_a - at_b) - a.radius > scale * b.most;
   }
 
   /// Goes through the pairs of triangles that meet; `met` says whether to go on. @return whether it did to
@@ -137,44 +162,36 @@ class Hybrid::Descent {
     const HalfFrame& frame = frames_[half_];
     turn_ = frame.axes * placement_->pose.rotation;
     shift_ = frame.into(placement_->pose.centroid);
+    view_ = {frame.axes.cast<float>(),   turn_.cast<float>(), shift_.cast<float>(),
+             frame.normal.cast<float>(), float(frame.offset), float(1 / frame.normal.z())};
     const auto &nodes_a = hybrid_->outer_.nodes(), &nodes_b = hybrid_->inner_.nodes();
-    stack_.assign(1, {0, 0, frame.into(nodes_a[0].centre), turn_ * nodes_b[0].centre});
+    stack_.assign(1, {0, 0, view_.axes * nodes_a[0].centre, view_.turn * nodes_b[0].centre});
     while (!stack_.empty()) {
       const Pair p = stack_.back();
       stack_.pop_back();
       const Node &a = nodes_a[p.a], &b = nodes_b[p.b];
-      ++visited_;
       if (clear(p, a, b)) continue;
-      if (a.count && b.count) {
-        if (!leaves(a, b, met)) return false;
-      } else if (b.count || (!a.count && a.radius > scale_ * b.radius)) {
+      if (a.is_leaf() && b.is_leaf()) {
+        if (!leaves(a.first, b.first, met)) return false;
+      } else if (b.is_leaf() || (!a.is_leaf() && a.radius > float(scale_) * b.radius)) {
         for (std::uint32_t k = 0; k < 2; ++k)
-          stack_.push_back({a.first + k, p.b, frame.into(nodes_a[a.first + k].centre), p.at_b});
+          stack_.push_back({a.first + k, p.b, view_.axes * nodes_a[a.first + k].centre, p.at_b});
       } else {
         for (std::uint32_t k = 0; k < 2; ++k)
-          stack_.push_back({p.a, b.first + k, p.at_a, turn_ * nodes_b[b.first + k].centre});
+          stack_.push_back({p.a, b.first + k, p.at_a, view_.turn * nodes_b[b.first + k].centre});
       }
     }
     return true;
   }
 
   template <class Met>
-  bool leaves(const Node& a, const Node& b, Met& met) {
+  bool leaves(std::uint32_t u, std::uint32_t t, Met& met) {
+    const SweptTriangle swept_t = swept(t);
+    if (swept_t.edge_on()) return true;
     const TriangleMesh& mesh = hybrid_->nesting_->outer();
-    for (std::uint32_t j = 0; j < b.count; ++j) {
-      const std::uint32_t t = hybrid_->inner_.order()[b.first + j];
-      SweptTriangle swept_t = swept(t);
-      if (swept_t.edge_on()) continue;
-      for (std::uint32_t i = 0; i < a.count; ++i) {
-        const Triangle& u = mesh.triangles[hybrid_->outer_.order()[a.first + i]];
-        for (std::size_t k = 0; k < 3; ++k) corner_[k] = frames_[half_].into(mesh.vertices[u[k]]);
-        const auto x = swept_t.common_point(corner_[0], corner_[1], corner_[2]);
-        if (!x) continue;
-        if (!met(swept_t, *x, t)) return false;
-        swept_t = swept(t);
-      }
-    }
-    return true;
+    for (std::size_t k = 0; k < 3; ++k) corner_[k] = frames_[half_].into(mesh.vertices[mesh.triangles[u][k]]);
+    const auto x = swept_t.common_point(corner_[0], corner_[1], corner_[2]);
+    return !x || met(swept_t, *x, t);
   }
 
   /// Lowers the scale until triangle t of B no longer meets the triangle corner_ of A in x. @return whether
@@ -209,11 +226,9 @@ class Hybrid::Descent {
   int half_ = 0;
   Eigen::Matrix3d turn_;
   Vec3 shift_;
+  View view_;
   std::array<Vec3, 3> corner_;
   std::vector<Pair> stack_;
-
- public:
-  long visited_ = 0;
 };
 
 Hybrid::Hybrid(const Nesting& nesting)
