@@ -19,9 +19,9 @@ struct Axle {
 
 /// What the user says of it, mm.
 struct AxleSpec {
-  std::optional<double> radius;  ///< nothing: no axle, the body stays whole
-  std::optional<double> slot;    ///< default the radius
-  std::optional<double> depth;   ///< default twice the radius
+  std::optional<double> radius{};  ///< nothing: no axle, the body stays whole
+  std::optional<double> slot{};    ///< default the radius
+  std::optional<double> depth{};   ///< default twice the radius
 };
 
 /// @return  nothing without a radius

@@ -5,6 +5,8 @@
 #include <array>
 
 #include "nest/envelope.hpp"
+#include "nest/exact.hpp"
+#include "nest/hybrid.hpp"
 #include "nest/peel.hpp"
 #include "unknown_name.hpp"
 
@@ -21,16 +23,22 @@ std::unique_ptr<Feasibility> make_on(device::Device& device, const Nesting& nest
   return std::make_unique<Way>(device, nesting, resolution);
 }
 
-constexpr std::array ways{Entry{"peel", make_on<Peel>}, Entry{"envelope", make_on<Envelope>}};
+template <class Way>
+std::unique_ptr<Feasibility> make_plain(device::Device&, const Nesting& nesting, int) {
+  return std::make_unique<Way>(nesting);
+}
 
-static_assert(int(Fault::none) == NEST_GOOD && int(Fault::outside_view) == NEST_OUTSIDE &&
+constexpr std::array ways{Entry{"peel", make_on<Peel>}, Entry{"envelope", make_on<Envelope>},
+                          Entry{"exact", make_plain<Exact>}, Entry{"hybrid", make_plain<Hybrid>}};
+
+static_assert(int(Fault::none) == NEST_GOOD && int(Fault::outside) == NEST_OUTSIDE &&
               int(Fault::swept) == NEST_SWEPT && int(Fault::uncovered) == NEST_UNCOVERED &&
               int(Fault::sticks_out) == NEST_STICKS_OUT);
 
 const char* in_words(Fault fault) {
   switch (fault) {
-    case Fault::outside_view:
-      return "the inner shape lies outside the outer one's box";
+    case Fault::outside:
+      return "the inner shape lies outside the outer one";
     case Fault::swept:
       return "the outer shape would run through the inner one";
     case Fault::uncovered:

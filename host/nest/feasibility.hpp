@@ -15,10 +15,10 @@ namespace kreisel::nest {
 /// Why a placement is no nesting. [Nest, s. 5] numbers the rules; docs/nesting.md draws them.
 enum class Fault {
   none,
-  outside_view,  ///< a vertex of T(B) lies outside the view, which holds A's box: outside A
-  swept,         ///< rule 1: A is, or would be swept, through this point of T(B)
-  uncovered,     ///< rule 2: nothing of A lies beyond this point of T(B)
-  sticks_out,    ///< rule 3: A's surface beyond this point of T(B) is seen from outside
+  outside,     ///< this point of T(B) lies outside A; where sampled, outside A's box
+  swept,       ///< rule 1: A is, or would be swept, through this point of T(B)
+  uncovered,   ///< rule 2: nothing of A lies beyond this point of T(B)
+  sticks_out,  ///< rule 3: A's surface beyond this point of T(B) is seen from outside
 };
 
 /// The answer, with the first fault met.
@@ -45,8 +45,8 @@ class Feasibility {
   [[nodiscard]] virtual std::vector<Verdict> check(std::span<const Placement> placements);
 };
 
-/// A feasibility test by name: `peel`, `envelope`.
-/// @param resolution  pixels along a side of each view, 1 to 16384; `exact` has no views
+/// A feasibility test by name: `peel`, `envelope`, `exact`, `hybrid`.
+/// @param resolution  pixels along a side of each view, 1 to 16384; `exact` and `hybrid` have no views
 /// @throws InputError  unknown name, resolution out of range
 [[nodiscard]] std::unique_ptr<Feasibility> make_feasibility(std::string_view name, device::Device& device,
                                                             const Nesting& nesting, int resolution = 512);

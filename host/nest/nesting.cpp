@@ -128,6 +128,7 @@ Nesting::Nesting(TriangleMesh outer, TriangleMesh inner)
   const Bulk bulk = bulk_of(outer_), inner_bulk = bulk_of(inner_);
   require_bulk(bulk, box, outer_.triangles.size());
   centre_ = 0.5 * (box.lo + box.hi);
+  outer_centroid_ = bulk.volume_centroid;
   unit_ = 0.5 * box.extent().norm();
   const double inner_volume = std::abs(inner_bulk.volume);
   const bool solid = inner_volume > least_fill * box_volume(inner_box);

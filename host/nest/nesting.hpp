@@ -59,7 +59,9 @@ class Nesting {
   [[nodiscard]] const Box& outer_box() const { return box_; }
   [[nodiscard]] double unit() const { return unit_; }  ///< in the meshes' length unit
 
-  [[nodiscard]] const Vec3& inner_centroid() const { return inner_centroid_; }  ///< in its file
+  /// Of each solid in its file; of a sheet that of its area.
+  [[nodiscard]] const Vec3& outer_centroid() const { return outer_centroid_; }
+  [[nodiscard]] const Vec3& inner_centroid() const { return inner_centroid_; }
 
   /// From coordinates of the outer file to nesting units, and back.
   [[nodiscard]] Vec3 to_units(const Vec3& x) const { return (x - centre_) / unit_; }
@@ -73,7 +75,7 @@ class Nesting {
 
  private:
   TriangleMesh outer_, inner_;
-  Vec3 centre_, inner_centroid_;  ///< of each file
+  Vec3 centre_, outer_centroid_, inner_centroid_;  ///< of each file
   double unit_ = 1, largest_scale_ = 1;
   Box box_;
 };

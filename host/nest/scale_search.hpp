@@ -23,6 +23,9 @@ struct FoundScale {
   int tests = 0;         ///< feasibility tests, or rounds of the incremental search
 };
 
+/// @throws InputError  a bound or tolerance that is not a number > 0, or a negative abort_below
+void require_valid(const SearchLimits& limits);
+
 /// One way of searching. Not to be shared by threads. The placement's own scale is not looked at.
 class ScaleSearch {
  public:
@@ -34,5 +37,10 @@ class ScaleSearch {
   [[nodiscard]] virtual std::vector<FoundScale> search(std::span<const Placement> placements,
                                                        std::span<const SearchLimits> limits);
 };
+
+/// A scale search by name: `peel`, `envelope`, `exact` by bisection, `hybrid`.
+/// @param resolution  as make_feasibility()
+[[nodiscard]] std::unique_ptr<ScaleSearch> make_search(std::string_view name, device::Device& device,
+                                                       const Nesting& nesting, int resolution = 512);
 
 }  // namespace kreisel::nest

@@ -137,7 +137,7 @@ Verdict Views::project(const Placement& placement) {
   const Vec3 point =
       pose.scale * (pose.rotation * nesting_->inner().vertices[std::size_t(outside - raster_.inner)]) +
       pose.centroid;
-  return {Fault::outside_view, placement.cut.beyond(0, point) >= 0 ? 0 : 1, point};
+  return {Fault::outside, placement.cut.beyond(0, point) >= 0 ? 0 : 1, point};
 }
 
 Verdict Views::fault_at(Fault fault, int half, int pixel, double w) const {

@@ -54,6 +54,22 @@ struct SimulateOptions {
 /// Sets a solid and the part made of it in motion, side by side.
 int simulate_part(const SimulateOptions& options);
 
+struct NestOptions {
+  std::string outer, inner;  ///< names or files; inner empty: the outer shape in itself
+  std::string variant = "hybrid";
+  std::optional<double> scale;  ///< to test; none: search for the largest
+  std::optional<double> upper;  ///< of the search; none: what can fit
+  double tolerance = 1e-4;
+  int resolution = 512;
+  // As they were typed; empty: no rotation, the outer shape's centroid, normal z, through the centroid, along
+  // the normal.
+  std::string rotation, centroid, plane, through;
+  std::vector<std::string> removal;
+  std::string device, json_file;
+};
+/// Whether one shape nests in another, or up to which scale.
+int nest_shapes(const NestOptions& options);
+
 struct ReportOptions {
   std::vector<std::string> experiments;  ///< as ExperimentOptions::name; empty: all that have records
   std::string results = "results/runs", output = "report.html";

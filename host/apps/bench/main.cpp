@@ -71,6 +71,7 @@ struct Parsed {
   ReportOptions report;
   MapOptions map;
   SimulateOptions simulate;
+  NestOptions nest;
   std::vector<std::pair<std::string, std::string>> given;  ///< field, text
   std::vector<std::string> settings, paths;
   std::string only_device;
@@ -140,6 +141,30 @@ void add_map_options(CLI::App& app, Parsed& parsed) {
   app.add_option("--record", parsed.map.record_file, "write the map as HDF5");
 }
 
+void add_nest_options(CLI::App& app, NestOptions& nest) {
+  app.add_option("--outer", nest.outer, "the shape outside: a name of `bench list`, or a mesh file")
+      ->required();
+  app.add_option("--inner", nest.inner, "the shape inside; default the outer one");
+  app.add_option("--scale", nest.scale,
+                 "test this scale of the inner shape; default: search for the largest");
+  app.add_option("--rotation", nest.rotation, "of the inner shape: axis times degrees, x,y,z; default none");
+  app.add_option("--centroid", nest.centroid,
+                 "where the inner shape's centroid goes, outer coordinates; default the outer's");
+  app.add_option("--plane", nest.plane, "normal of the cut, x,y,z; default 0,0,1");
+  app.add_option("--through", nest.through, "a point of the cut, outer coordinates; default --centroid");
+  app.add_option("--removal", nest.removal,
+                 "directions in which the halves above and below leave; default along the normal")
+      ->expected(2)
+      ->type_name("PLUS MINUS");
+  app.add_option("--variant", nest.variant, "peel, envelope, exact or hybrid")->capture_default_str();
+  app.add_option("--resolution", nest.resolution, "pixels along a side of a view of peel and envelope")
+      ->capture_default_str();
+  app.add_option("--upper", nest.upper, "largest scale to look at; default what can fit");
+  app.add_option("--tolerance", nest.tolerance, "of the scale that is searched")->capture_default_str();
+  app.add_option("--device", nest.device, "as above");
+  app.add_option("--json", nest.json_file, "write the answer as JSON; - for standard output");
+}
+
 void apply(Parsed& parsed) {
   for (const auto& [field, text] : parsed.given) set_field(parsed.once.config, field, text);
   for (const std::string& setting : parsed.settings) {
@@ -203,6 +228,9 @@ int dispatch(int argc, char** argv) {
       if (name == std::string_view(used))
         add_field(*simulated, parsed, fmt::format("--{}", name), name, help);
   simulated->add_option("--set", parsed.settings, "problem.NAME=VALUE")->allow_extra_args(false);
+  CLI::App* nested = app.add_subcommand(
+      "nest", "does one shape fit into another, to be taken out through a cut, and how large");
+  add_nest_options(*nested, parsed.nest);
   CLI::App* reported =
       app.add_subcommand("report", "tables and figures of experiments that have been run, as one HTML page");
   reported->add_option("experiments", parsed.report.experiments, "default: all that have records");
@@ -237,6 +265,7 @@ int dispatch(int argc, char** argv) {
     parsed.simulate.config = parsed.once.config;
     return simulate_part(parsed.simulate);
   }
+  if (*nested) return nest_shapes(parsed.nest);
   if (*reported) return report(parsed.report);
   if (*shown) return show(parsed.paths);
   if (*listed) return list();

@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "apps/bench/commands.hpp"
+#include "apps/bench/outputs.hpp"
+#include "apps/bench/step_line.hpp"
+#include "body/source.hpp"
+#include "error.hpp"
+#include "file/write_text.hpp"
+#include "nest/exact.hpp"
+#include "nest/scale_search.hpp"
+#include "parse.hpp"
+#include "run/build_info.hpp"
+
+namespace kreisel::bench {
+namespace {
+
+using nlohmann::json;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+TriangleMesh mesh_of(const std::string& model) {
+  BodySpec spec;
+  spec.model = model;
+  return load_source(spec).mesh;
+}
+
+Vec3 vector_of(const std::string& text, const char* option) {
+  const auto v = parse_vector(text);
+  if (!v) throw InputError(fmt::format("{} {}; expected x,y,z", option, text));
+  return *v;
+}
+
+Vec3 direction_of(const std::string& text, const char* option) {
+  const Vec3 v = vector_of(text, option);
+  if (!(v.norm() > 0))
+    throw InputError(fmt::format("{} {}; expected a vector that is not zero", option, text));
+  return v.normalized();
+}
+
+/// Axis times angle in degrees. @param text  empty: none
+Eigen::Matrix3d rotation_of(const std::string& text) {
+  if (text.empty()) return Eigen::Matrix3d::Identity();
+  const Vec3 v = vector_of(text, "--rotation");
+  const double degrees = v.norm();
+  if (!(degrees > 0)) return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(degrees * std::acos(-1) / 180, v / degrees).toRotationMatrix();
+}
+
+nest::Placement placement_of(const NestOptions& options, const nest::Nesting& nesting) {
+  nest::Placement placement;
+  placement.pose.rotation = rotation_of(options.rotation);
+  placement.pose.scale = options.scale.value_or(1);
+  placement.pose.centroid = nesting.to_units(
+      options.centroid.empty() ? nesting.outer_centroid() : vector_of(options.centroid, "--centroid"));
+  const Vec3 normal = options.plane.empty() ? Vec3(Vec3::UnitZ()) : direction_of(options.plane, "--plane");
+  const Vec3 through = options.through.empty() ? placement.pose.centroid
+                                               : nesting.to_units(vector_of(options.through, "--through"));
+  placement.cut = nest::Cut::through(through, normal);
+  if (!options.removal.empty()) {
+    placement.cut.plus = direction_of(options.removal.front(), "--removal");
+    placement.cut.minus = direction_of(options.removal.back(), "--removal");
+  }
+  return placement;
+}
+
+json to_json(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+/// What was asked and found, in the outer file's coordinates.
+struct NestRun {
+  const NestOptions* options;
+  nest::Placement placement;
+  bool valid = false;
+  std::string text;
+  int evaluations = 1;
+  std::optional<double> certified;
+  double setup = 0, search = 0, certify = 0;
+};
+
+json to_json(const NestRun& run, const nest::Nesting& nesting, const device::Device& device) {
+  const nest::Cut& cut = run.placement.cut;
+  json out;
+  out["outer"] = run.options->outer;
+  out["inner"] = run.options->inner;
+  out["variant"] = run.options->variant;
+  out["resolution"] = run.options->resolution;
+  out["seed"] = nullptr;
+  out["evaluations"] = run.evaluations;
+  out["valid"] = run.valid;
+  out["text"] = run.text;
+  const bool placed = run.options->scale || run.valid;
+  out["scale"] = placed ? json(run.placement.pose.scale) : json(nullptr);
+  out["certified_scale"] = run.certified ? json(*run.certified) : json(nullptr);
+  out["transform"] = nullptr;
+  if (placed) {
+    out["transform"] = json::array();
+    const auto t = nesting.transform(run.placement.pose);
+    for (int row = 0; row < 3; ++row)
+      out["transform"].push_back({t(row, 0), t(row, 1), t(row, 2), t(row, 3)});
+  }
+  out["plane"] = {{"point", to_json(nesting.to_file(cut.offset * cut.normal))},
+                  {"normal", to_json(cut.normal)}};
+  out["removal"] = {{"plus", to_json(cut.plus)}, {"minus", to_json(cut.minus)}};
+  out["seconds"] = {{"setup", run.setup},
+                    {"search", run.search},
+                    {"certify", run.certify},
+                    {"total", run.setup + run.search + run.certify}};
+  out["termination"] = run.valid ? "valid" : "infeasible";
+  out["triangles"] = nesting.outer().triangles.size() + nesting.inner().triangles.size();
+  out["device"] = device.info().name;
+  out["commit"] = build_info::commit;
+  return out;
+}
+
+void print(const NestRun& run, const nest::Nesting& nesting) {
+  const NestOptions& options = *run.options;
+  fmt::print("{} in {}: {} by {}\n", options.inner, options.outer,
+             options.scale ? "feasibility" : "scale search", options.variant);
+  fmt::print("  triangles  {} + {}\n", nesting.outer().triangles.size(), nesting.inner().triangles.size());
+  if (options.scale || run.valid) fmt::print("  scale      {:.6g}\n", run.placement.pose.scale);
+  fmt::print("  answer     {}\n", run.text);
+  if (run.valid)
+    fmt::print("  certified  {}\n",
+               run.certified ? fmt::format("valid on the triangles themselves at {:.6g}", *run.certified)
+                             : "no: the exact test says invalid, what was sampled missed a contact");
+  fmt::print(
+      "  time       {:.3f} ms test or search ({} evaluations), {:.3f} s set-up, {:.3f} s certification\n",
+      1e3 * run.search, run.evaluations, run.setup, run.certify);
+}
+
+}  // namespace
+
+int nest_shapes(const NestOptions& given) {
+  NestOptions options = given;
+  if (options.inner.empty()) options.inner = options.outer;
+  require_writable(options.json_file, "--json");
+  auto start = std::chrono::steady_clock::now();
+  device::Device device(options.device);
+  NestRun run;
+  run.options = &options;
+  TriangleMesh outer = mesh_of(options.outer);
+  TriangleMesh inner = options.inner == options.outer ? outer : mesh_of(options.inner);
+  const nest::Nesting nesting(std::move(outer), std::move(inner));
+  run.placement = placement_of(options, nesting);
+  nest::require_valid(run.placement);
+  if (options.scale) {
+    const auto test = nest::make_feasibility(options.variant, device, nesting, options.resolution);
+    run.setup = seconds_since(start);
+    start = std::chrono::steady_clock::now();
+    const nest::Verdict verdict = test->check(run.placement);
+    run.valid = verdict.valid();
+    run.text = nest::to_string(verdict, nesting);
+  } else {
+    const auto search = nest::make_search(options.variant, device, nesting, options.resolution);
+    run.setup = seconds_since(start);
+    start = std::chrono::steady_clock::now();
+    nest::SearchLimits limits;
+    limits.upper = options.upper.value_or(nesting.largest_scale());
+    limits.tolerance = options.tolerance;
+    const nest::FoundScale found = search->search(run.placement, limits);
+    run.valid = found.scale > 0;
+    run.evaluations = found.tests;
+    if (run.valid) run.placement.pose.scale = found.scale;
+    run.text = run.valid ? "valid" : fmt::format("invalid at every scale up to {:.6g}", limits.upper);
+  }
+  run.search = seconds_since(start);
+  if (run.valid) {
+    start = std::chrono::steady_clock::now();
+    if (nest::Exact(nesting).check(run.placement).valid()) run.certified = run.placement.pose.scale;
+    run.certify = seconds_since(start);
+  }
+  const std::string text = to_json(run, nesting, device).dump(2) + "\n";
+  if (options.json_file == "-") {
+    fmt::print("{}", text);
+  } else {
+    if (!options.json_file.empty()) write_text(options.json_file, text);
+    print(run, nesting);
+  }
+  return run.valid ? done : infeasible;
+}
+
+}  // namespace kreisel::bench

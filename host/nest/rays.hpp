@@ -1,0 +1,34 @@
+// rays.hpp - where does a ray first meet A?
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace kreisel::nest {
+
+/// Embree's watertight rays, in single precision: distances are right to about 1e-6 in nesting units. Safe to
+/// ask from several threads.
+class Rays {
+ public:
+  struct Hit {
+    double distance;  ///< in lengths of the direction
+    bool out;         ///< whether the ray leaves the solid there
+  };
+
+  explicit Rays(const TriangleMesh& mesh);
+  ~Rays();
+  Rays(const Rays&) = delete;
+  Rays& operator=(const Rays&) = delete;
+
+  /// The first hit between two distances, if any.
+  [[nodiscard]] std::optional<Hit> first(const Vec3& from, const Vec3& direction, double least,
+                                         double most) const;
+
+ private:
+  struct Scene;
+  std::unique_ptr<Scene> scene_;
+};
+
+}  // namespace kreisel::nest
