@@ -12,6 +12,7 @@
 
 #include "error.hpp"
 #include "parse.hpp"
+#include "problem/stable_speeds.hpp"
 
 namespace kreisel {
 namespace {
@@ -144,6 +145,7 @@ Verdict Spin::verify(const Moments& s, double length_mm) const {
     if (!largest) reasons.push_back("Izz is not the largest principal moment");
     verdict.text = fmt::format("does not spin ({}): {}", fmt::join(reasons, "; "), where);
   }
+  add_stable_speeds(verdict, s, length_mm);
   return verdict;
 }
 
