@@ -5,6 +5,7 @@
 #include "physics/spin_check.hpp"
 #include "physics/tilting_plane.hpp"
 #include "physics/yoyo_fall.hpp"
+#include "problem/problem.hpp"
 #include "run/provenance.hpp"
 #include "run/subject.hpp"
 
