@@ -84,67 +84,136 @@ def unit(k):
 
 def box_quadric(box, c, t):
     q = box["u1"] * (unit(YY) + unit(ZZ)) + box["u2"] * (unit(XX) + unit(ZZ)) - t * (unit(XX) + unit(YY))
-    q += math.sqrt(2) * box["u3"] * unit(XY) - box["nu"] * unit(Z)
+    q += math.sqrt(2) * box["u3"] * unit(XY) - (box["nu"] + box["kappa"]) * unit(Z)
     q += box["mu_x"] * unit(X) + box["mu_y"] * unit(Y) + box["mu_xz"] * unit(XZ) + box["mu_yz"] * unit(YZ)
     q[0] = box["nu"] * c - (box["u1"] + box["u2"]) * c * c
     return q
 
 
-def least_in(box, weight, gamma):
-    """The least weight * c + gamma * max(t(c), 0)^2 in the box, t straight between its ends: convex in c."""
-    low, high, t0, t1 = (box[k] for k in ("c_low", "c_high", "t_low", "t_high"))
+def least_between(rate, bend, gamma, ends, t):
+    """The least rate w + bend w^2 + gamma max(t(w), 0)^2 between two ends, t straight between them: convex in w."""
+    (w0, w1), (t0, t1) = ends, t
     shares = [0.0, 1.0]
-    if high > low and t1 != t0:
-        slope = (t1 - t0) / (high - low)
-        for t in (-weight / (2 * gamma * slope), 0.0):
-            shares.append(min(max((t - t0) / (t1 - t0), 0.0), 1.0))
+    if w1 > w0:
+        slope = (t1 - t0) / (w1 - w0)
+        curved = bend + gamma * slope * slope
+        places = [-(rate / 2 + gamma * slope * (t0 - slope * w0)) / curved] if curved > 0 else []
+        places += [-rate / (2 * bend)] if bend > 0 else []
+        places += [w0 - t0 / slope] if slope != 0 else []
+        shares += [min(max((w - w0) / (w1 - w0), 0.0), 1.0) for w in places]
     # A minimum is flat: the arithmetic of its place does not count.
-    return min(weight * (low + s * (high - low)) + gamma * max(t0 + s * (t1 - t0), 0) ** 2 for s in shares)
+    values = []
+    for share in shares:
+        w, height = w0 + share * (w1 - w0), max(t0 + share * (t1 - t0), 0)
+        values.append(rate * w + bend * w * w + gamma * height**2)
+    return min(values)
 
 
-def check_spin(file, domain, expect):
-    certificate = file["certificate"]
-    weight, gamma = certificate.attrs["lambda"], certificate.attrs["gamma_i"]
-    config = file["config"].attrs
-    expect(weight == float(config.get("problem.lambda", 0)), "lambda is not the run's")
-    expect(gamma == float(config.get("problem.gamma_i", 1)), "gamma_i is not the run's")
-    s = file["solve/moments"][:]
+def weights_of(file, expect):
+    """Weights of c_z, c_z^2, sz^2 and the inertia ratio, which must be those of the run."""
+    config, stored = file["config"].attrs, file["certificate"].attrs
+    problem, gamma_c = config["problem"], float(config.get("problem.gamma_c", 1))
+    lower = config.get("problem.lower", "mass") if problem == "top" else "none"
+    want = {"lambda": float(config.get("problem.lambda", 0)) if problem == "spin" else 0,
+            "height": gamma_c if lower == "height" else 0,
+            "moment": gamma_c if lower == "mass" else 0,
+            "gamma_i": float(config.get("problem.gamma_i", 1))}
+    for name, value in want.items():
+        expect(stored.get(name, 0) == value, f"{name} is not the run's")
+    return want.values()
+
+
+def inertia_ratio(s):
     c = s[Z] / s[0]
     j = np.array([s[YY] + s[ZZ] - c * s[Z], s[XX] + s[ZZ] - c * s[Z], math.sqrt(2) * s[XY]])
-    f = weight * c + gamma * (j @ j) / (s[XX] + s[YY]) ** 2
+    return (j @ j) / (s[XX] + s[YY]) ** 2
 
+
+def boxes_of(certificate, expect):
+    """Every box by the names of its columns, and its quadrics; what an older record lacks is not confined."""
     table = certificate["boxes"]
-    names = list(table.attrs["columns"])
-    boxes = [dict(zip(names, row)) for row in table[:]]
-    quadrics = certificate["box_quadrics"][:].reshape(-1, 2, 10)
-    expect(len(boxes) > 0 and len(quadrics) == len(boxes), "no boxes, or not two quadrics for each")
+    any_moment = {"sz_low": -math.inf, "sz_high": math.inf, "t_low_above": 0.0, "t_high_above": 0.0, "kappa": 0.0}
+    boxes = [any_moment | dict(zip(table.attrs["columns"], row)) for row in table[:]]
+    quadrics = certificate["box_quadrics"][:]
+    expect(len(boxes) > 0 and len(quadrics) % len(boxes) == 0, "no boxes, or not as many quadrics for each")
+    return boxes, quadrics.reshape(len(boxes), -1, 10) if boxes else []
+
+
+def check_cover(certificate, boxes, problem, expect):
+    """Does every height, and every first moment that counts, lie in a box?"""
+    if certificate.attrs["kind"] == "yoyo":
+        expect(problem == "yoyo", "nothing holds the centre of mass at the origin")
+        expect(len(boxes) == 1 and boxes[0]["c_low"] == boxes[0]["c_high"] == 0, "not the one box of the height 0")
+        return
+    most = certificate.attrs.get("sz_most", 0) if certificate.attrs["kind"] == "top" else math.inf
+    low, high, below, above = (np.array([box[k] for box in boxes]) for k in ("c_low", "c_high", "sz_low", "sz_high"))
+    expect(low.min() == -math.inf and high.max() == math.inf, "the boxes do not reach to infinity")
+    heights = np.unique(np.concatenate([low, high]))
+    for c0, c1 in zip(heights, heights[1:]):
+        reached = -most
+        over = (low <= c0) & (high >= c1)
+        for i in np.flatnonzero(over)[np.argsort(below[over])]:
+            if below[i] <= reached:
+                reached = max(reached, above[i])
+        if reached < most:
+            expect(False, f"nothing covers the heights from {c0:g} to {c1:g}")
+            return
+
+
+def check_box(i, box, stored, domain, expect):
+    u = np.array([box["u1"], box["u2"], box["u3"]])
+    expect(u @ u <= 1 and u[0] >= 0 and u[1] >= 0, f"box {i}: u is not in its set")
+    confined = math.isfinite(box["sz_low"]) and math.isfinite(box["sz_high"])
+    expect(confined or box["kappa"] == 0, f"box {i}: kappa without first moments")
+    corners = [(box["c_low"], box["sz_low"], box["t_low"]), (box["c_high"], box["sz_low"], box["t_high"])]
+    if confined:
+        corners += [(box["c_low"], box["sz_high"], box["t_low_above"]),
+                    (box["c_high"], box["sz_high"], box["t_high_above"])]
+    for (c, sz, t), q in zip(corners, stored):
+        if math.isinf(c):
+            # No end: what is affine in c must not fall towards it.
+            expect(box["empty"] == 1 and not u.any() and box["nu"] * math.copysign(1, c) >= 0,
+                   f"box {i}: nothing holds towards infinity")
+            continue
+        expect(np.allclose(box_quadric(box, c, t), q, rtol=1e-13, atol=1e-13), f"box {i}: another quadric is stored")
+        h, margin = domain.least(box_quadric(box, c, t))
+        offset = box["kappa"] * sz if confined else 0.0
+        h, margin = h + offset, margin + 2 * EPS * abs(offset)
+        if box["empty"]:
+            expect(not u.any() and t == 0 and h - margin > 0, f"box {i}: not proved to be empty")
+        else:
+            expect(h - margin >= 0, f"box {i}: h = {h:.3e} < {margin:.3e} at its end {c:g}")
+
+
+def check_boxes(file, domain, expect):
+    certificate = file["certificate"]
+    rate, bend, moment, gamma = weights_of(file, expect)
+    s = file["solve/moments"][:]
+    c = s[Z] / s[0]
+    f = rate * c + bend * c * c + moment * s[Z] ** 2 + gamma * inertia_ratio(s)
+    kind = certificate.attrs["kind"]
+    expect(moment == 0 or kind == "top", "the weight of sz^2 is that of a top")
+    boxes, quadrics = boxes_of(certificate, expect)
     if not boxes:
         return f, -math.inf
-    expect(boxes[0]["c_low"] == -math.inf and boxes[-1]["c_high"] == math.inf, "the boxes do not reach to infinity")
-    for i, (box, pair) in enumerate(zip(boxes, quadrics)):
-        if i > 0:
-            expect(box["c_low"] <= boxes[i - 1]["c_high"], f"nothing covers the heights before box {i}")
-        u = np.array([box["u1"], box["u2"], box["u3"]])
-        expect(u @ u <= 1 and u[0] >= 0 and u[1] >= 0, f"box {i}: u is not in its set")
-        for at, t, stored in ((box["c_low"], box["t_low"], pair[0]), (box["c_high"], box["t_high"], pair[1])):
-            if math.isinf(at):
-                # No end: what is affine in c must not fall towards it.
-                expect(box["empty"] == 1 and not u.any() and box["nu"] * math.copysign(1, at) >= 0,
-                       f"box {i}: nothing holds towards infinity")
-                continue
-            q = box_quadric(box, at, t)
-            expect(np.allclose(q, stored, rtol=1e-13, atol=1e-13), f"box {i}: another quadric is stored")
-            h, margin = domain.least(q)
-            if box["empty"]:
-                expect(not u.any() and t == 0 and h - margin > 0, f"box {i}: not proved to be empty")
-            else:
-                expect(h - margin >= 0, f"box {i}: h = {h:.3e} < {margin:.3e} at its end {at:g}")
+    check_cover(certificate, boxes, file["config"].attrs["problem"], expect)
+    for i, (box, stored) in enumerate(zip(boxes, quadrics)):
+        check_box(i, box, stored, domain, expect)
         if box["empty"]:
             expect(box["value"] == math.inf, f"box {i} is empty, with a value")
+            continue
+        heights, first = (box["c_low"], box["c_high"]), (box["sz_low"], box["sz_high"])
+        if moment:
+            # Over first moments, along both ends of the height: between those t is no less.
+            least = least_between(rate, bend, 0, heights, (0, 0)) + min(
+                least_between(0, moment, gamma, first, (box[low], box[high]))
+                for low, high in (("t_low", "t_low_above"), ("t_high", "t_high_above")))
         else:
-            least = least_in(box, weight, gamma)
-            expect(box["value"] <= least + 4 * EPS * abs(least), f"box {i}: {box['value']} > {least}")
-    return f, min(box["value"] for box in boxes)
+            least = least_between(rate, bend, gamma, heights, (box["t_low"], box["t_high"]))
+        expect(box["value"] <= least + 4 * EPS * abs(least), f"box {i}: {box['value']} > {least}")
+    # What no box of a top covers has a larger sz^2.
+    beyond = moment * certificate.attrs["sz_most"] ** 2 if kind == "top" else math.inf
+    return f, min(beyond, *(box["value"] for box in boxes), math.inf)
 
 
 def check_multipliers(file, expect):
@@ -181,11 +250,11 @@ def check_masses(file, domain, expect):
     def same(one, other):
         return np.allclose(one, other, rtol=1e-9, atol=1e-12)
 
-    config = file["config"].attrs
-    share = float(config.get("void-density", 0)) / file["body"].attrs["density"]
-    expect(same(domain.contrast, 1 - share), "the contrast is not that of the densities")
+    config, shell = file["config"].attrs, file["body"].attrs["density"]
+    light, heavy = sorted((float(config.get("interior-density", shell)), float(config.get("void-density", 0))))
+    expect(same(domain.contrast, (heavy - light) / shell), "the contrast is not that of the densities")
     expect(same(domain.interior, file["body/interior"][:]), "the interior is not that of the intervals")
-    expect(same(domain.fixed + domain.contrast * domain.interior, file["body/solid"][:]),
+    expect(same(domain.fixed + (1 - light / shell) * domain.interior, file["body/solid"][:]),
            "shell and interior do not add up to the solid")
 
 
@@ -197,7 +266,8 @@ def check_infeasible(file, domain, expect):
     return None, math.inf
 
 
-KINDS = {"linear": check_linear, "ratio": check_ratio, "spin": check_spin, "infeasible": check_infeasible}
+KINDS = {"linear": check_linear, "ratio": check_ratio, "spin": check_boxes, "yoyo": check_boxes, "top": check_boxes,
+         "infeasible": check_infeasible}
 
 
 def check(file):
@@ -222,7 +292,7 @@ def check(file):
         met = file.attrs["constraint_violation"] <= 1e-6
         gap = (objective - bound) / abs(objective) if math.isfinite(bound) and met else math.inf
         expect(file.attrs["gap"] == gap or abs(file.attrs["gap"] - gap) <= 1e-12, "the gap is another")
-    number = f", {len(certificate['boxes'])} boxes" if kind == "spin" else ""
+    number = f", {len(certificate['boxes'])} boxes" if kind in ("spin", "top") else ""
     what = "no interior meets the constraints" if kind == "infeasible" else f"f >= {bound:.9g}"
     return wrong, f"{what}, {kind}{number}: proved"
 

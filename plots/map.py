@@ -1,5 +1,8 @@
 #!/usr/bin/python3
-"""Every orientation of a body on one picture: about which axes it can spin, or on which sides it floats."""
+"""Every orientation of a body on one picture: about which axes it can spin, or on which sides it floats.
+
+Maps of one case each, as those of spin, may share a picture: name several.
+"""
 
 import argparse
 import pathlib
@@ -124,62 +127,112 @@ def draw(axes, found, at_case, index, colours, norm):
                    fontsize=9)
 
 
+def values_of(found):
+    """What the colours have to tell apart; pale ones may saturate."""
+    values = found["shown"][found["ok"] == 1]
+    return values if len(values) else found["shown"][found["feasible"] == 1]
+
+
+def scale_of(found):
+    """Normalisation and colours."""
+    _, _, _, name, more = DRAWN[found["problem"]]
+    values = values_of(found)
+    # A few extreme axes, such as those of flat slivers, would take all colours from the rest.
+    low, high = np.percentile(values, [0, 95] if not more else [5, 100]) if len(values) else (0, 1)
+    return plt.Normalize(low, high if high > low else low + 1, clip=True), plt.get_cmap(name)
+
+
+def through_text(found):
+    if found["problem"] != "spin":
+        return ""
+    return "through the solid's centre of mass" if found["through"] == "centre" else "through the lowest point"
+
+
+def legend(result, maps, lower):
+    words, colours = DRAWN[maps[0]["problem"]][2], scale_of(maps[0])[1]
+    handles = [Patch(facecolor=colours(0.6), label=words),
+               Patch(facecolor=colours(0.6), alpha=0.35, label=f"feasible, yet does not {words[:-1]}"),
+               Patch(facecolor=FAR, edgecolor="#d1d5db", hatch="////", linewidth=0,
+                     label="infeasible (darker: farther off)")]
+    if any((found["feasible"] == -1).any() for found in maps):
+        handles.append(Patch(facecolor=UNDECIDED, edgecolor=style.QUIET, linewidth=0.5, label="undecided"))
+    if any(found["best_axis"] >= 0 for found in maps):
+        handles.append(Line2D([], [], marker="*", markersize=11, linestyle="", color=style.VERMILION,
+                              markeredgecolor="white", label="best"))
+    result.legend(handles=handles, loc="lower center", ncols=len(handles), bbox_to_anchor=(0.5, lower + 0.01),
+                  fontsize=8)
+
+
 def figure(found):
+    """All cases of one map."""
     cases = len(found["cases"])
     columns = 1 if cases == 1 else 2
     rows = -(-cases // columns)
     result, panels = plt.subplots(rows, columns, figsize=(7.4, 4.7) if columns == 1 else (11, 2.9 * rows + 1.2),
                                   squeeze=False)
-    _, label, words, name, more = DRAWN[found["problem"]]
-    colours = plt.get_cmap(name)
-    values = found["shown"][found["ok"] == 1]  # pale colours may saturate
-    if not len(values):
-        values = found["shown"][found["feasible"] == 1]
-    # A few extreme axes, such as those of flat slivers, would take all colours from the rest.
-    low, high = np.percentile(values, [0, 95] if not more else [5, 100]) if len(values) else (0, 1)
-    norm = plt.Normalize(low, high if high > low else low + 1, clip=True)
+    norm, colours = scale_of(found)
     index = nearest(found["axes"])
     for panel in panels.flat[cases:]:
         panel.axis("off")
     for at_case, panel in zip(range(cases), panels.flat):
         draw(panel, found, at_case, index, colours, norm)
     result.suptitle(f"{found['model']}: where it can {found['problem']}", x=0.01, ha="left", fontweight="bold")
-    through = "" if found["problem"] != "spin" else (
-        " through the solid's centre of mass" if found["through"] == "centre" else " through the lowest point")
-    lower = style.caption(result, f"Direction of the {'spin' if found['problem'] == 'spin' else 'up'} axis{through} in the "
-                          f"model's coordinates, Mollweide's equal-area projection; grid {found['config']['resolution']}, "
-                          f"wall {found['config']['wall']}; {found['sweep_seconds']:.1f} s. "
-                          + records.provenance_line([found]))
-    if len(values):
+    axis = "spin axis " + through_text(found) if found["problem"] == "spin" else "up axis"
+    lower = style.caption(result, f"Direction of the {axis} in the model's coordinates, Mollweide's equal-area projection; "
+                          f"grid {found['config']['resolution']}, wall {found['config']['wall']}; "
+                          f"{found['sweep_seconds']:.1f} s. " + records.provenance_line([found]))
+    known = len(values_of(found)) > 0
+    if known:
+        _, label, _, _, more = DRAWN[found["problem"]]
         bar = result.colorbar(plt.cm.ScalarMappable(norm, colours), cax=result.add_axes((0.885, 0.3, 0.015, 0.45)),
                               extend="min" if more else "max")
         bar.set_label(label)
         bar.outline.set_visible(False)
-    handles = [Patch(facecolor=colours(0.6), label=words),
-               Patch(facecolor=colours(0.6), alpha=0.35, label=f"feasible, yet does not {words[:-1]}"),
-               Patch(facecolor=FAR, edgecolor="#d1d5db", hatch="////", linewidth=0,
-                     label="infeasible (darker: farther off)")]
-    if (found["feasible"] == -1).any():
-        handles.append(Patch(facecolor=UNDECIDED, edgecolor=style.QUIET, linewidth=0.5, label="undecided"))
-    if found["best_axis"] >= 0:
-        handles.append(Line2D([], [], marker="*", markersize=11, linestyle="", color=style.VERMILION,
-                              markeredgecolor="white", label="best"))
-    result.legend(handles=handles, loc="lower center", ncols=len(handles), bbox_to_anchor=(0.5, lower + 0.01),
-                  fontsize=8)
-    result.subplots_adjust(left=0.02, right=0.86 if len(values) else 0.98, top=0.86 if rows == 1 else 0.9,
+    legend(result, [found], lower)
+    result.subplots_adjust(left=0.02, right=0.86 if known else 0.98, top=0.86 if rows == 1 else 0.9,
                            bottom=lower + 0.08, hspace=0.12, wspace=0.03)
+    return result
+
+
+def figures(maps, _published=None):
+    """A picture a map, for `bench report`."""
+    return [figure(found) for found in maps if len(found.get("axes", ()))]
+
+
+def together(maps):
+    """Maps of one case each, two across, the colours of each on a scale of its own."""
+    down = -(-len(maps) // 2)
+    result, panels = plt.subplots(down, 2, figsize=(11, 2.95 * down + 1.1), squeeze=False)
+    for panel in panels.flat:
+        panel.axis("off")
+    for found, panel in zip(maps, panels.flat):
+        norm, colours = scale_of(found)
+        draw(panel, found, 0, nearest(found["axes"]), colours, norm)
+        values = values_of(found)
+        best = f", f {values.min():.3f} to {np.percentile(values, 95):.3f}" if len(values) else ""
+        panel.set_title(f"{found['model']}: {panel.get_title()}{best}", fontsize=8.5)
+    places = sorted({through_text(found) for found in maps})
+    result.suptitle(f"Where they can {maps[0]['problem']}", x=0.01, ha="left", fontweight="bold")
+    lower = style.caption(result, f"Direction of the axis ({', '.join(places)}) in each model's coordinates, Mollweide's "
+                          "equal-area projection; darker is better, each body on a scale of its own. "
+                          + records.provenance_line(maps))
+    legend(result, maps, lower)
+    result.subplots_adjust(left=0.02, right=0.98, top=0.92, bottom=lower + 0.06, hspace=0.14, wspace=0.03)
     return result
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("record", help="HDF5 file that bench map --record wrote")
+    parser.add_argument("record", nargs="+", help="HDF5 files that bench map --record or bench run wrote")
     parser.add_argument("-o", "--output", default="map.png", help="PNG to write (default %(default)s)")
     args = parser.parse_args()
-    found = read(args.record)
-    if not len(found["axes"]):
-        raise records.BadRecord(f"{args.record}: no axis in it, expected a sweep that had begun")
-    records.save(figure(found), args.output)
+    maps = [read(path) for path in args.record]
+    for path, found in zip(args.record, maps):
+        if not len(found["axes"]):
+            raise records.BadRecord(f"{path}: no axis in it, expected a sweep that had begun")
+        if len(maps) > 1 and (len(found["cases"]) > 1 or found["problem"] != maps[0]["problem"]):
+            raise records.BadRecord(f"{path}: not of one case or another problem, expected maps that share a picture")
+    records.save(figure(maps[0]) if len(maps) == 1 else together(maps), args.output)
     print(args.output)
 
 

@@ -48,6 +48,8 @@ def read(path, arrays=True):
                 record[name] = {**_attributes(group), **_tables(group, () if arrays else LARGE)}
             if "verified" in file:
                 record["verified"]["values"] = _attributes(file["verified/values"])
+                materials = file.get("verified/materials") or {}  # early records have none
+                record["verified"]["materials"] = {name: _attributes(group) for name, group in materials.items()}
             return record
     except OSError as error:
         reason = "no such file" if not path.exists() else str(error).split("(")[-1].rstrip(")")
@@ -56,12 +58,21 @@ def read(path, arrays=True):
         raise BadRecord(f"{path}: incomplete record: {error}") from None
 
 
+def is_map(path):
+    """Whether it is the record of a map of orientations (map.py), not of a run."""
+    try:
+        with h5py.File(path, "r") as file:
+            return file.attrs.get("schema") == "kreisel map"
+    except OSError:
+        return False
+
+
 def read_folder(folder, arrays=False):
-    """Every record (*.h5) of a folder and the folders in it, by name."""
+    """Every record (*.h5) of a run in a folder and the folders in it, by name."""
     folder = pathlib.Path(folder)
     if not folder.is_dir():
         raise BadRecord(f"{folder}: no such folder, expected one with records")
-    found = [read(path, arrays) for path in sorted(folder.rglob("*.h5"))]
+    found = [read(path, arrays) for path in sorted(folder.rglob("*.h5")) if not is_map(path)]
     if not found:
         raise BadRecord(f"{folder}: no records (*.h5) in it")
     return found

@@ -18,6 +18,7 @@ import sys
 import urllib.parse
 
 try:
+    import map as orientation_map  # this folder's, beside Python's own
     import records
     from style import plt
 except ImportError as error:
@@ -93,15 +94,21 @@ def table_html(columns, rows):
 
 
 def figure_html(name, found, published):
-    """The figure of one script as an image, or a line that says why there is none."""
+    """The figures of one script as images, or a line that says why there is none."""
     try:
-        figure = importlib.import_module(name).figure(found, published)
+        script = importlib.import_module(name)
+        several = getattr(script, "figures", None)  # a script that draws a picture a record
+        drawn = several(found, published) if several else [script.figure(found, published)]
     except (ModuleNotFoundError, AttributeError) as error:
         if isinstance(error, ModuleNotFoundError) and error.name != name:
             raise
         raise records.BadRecord(f"figure '{name}': expected a script of plots/ with figure(records, published)")
     except records.BadRecord as error:
         return f'<p class="missing">No figure "{text(name)}": {text(error)}.</p>'
+    return "\n".join(image_html(name, figure) for figure in drawn)
+
+
+def image_html(name, figure):
     data = io.BytesIO()
     figure.savefig(data, format="png", dpi=130)
     width = int(figure.get_figwidth() * 104)
@@ -119,7 +126,7 @@ def about_html(about):
 
 
 def section_html(section):
-    found = [records.read(path) for path in section["records"]]
+    found = [orientation_map.read(path) if records.is_map(path) else records.read(path) for path in section["records"]]
     lines = [f'<h2 id="{text(section["name"])}">{text(section["title"])}</h2>', about_html(section["about"])]
     counts = f"{len(found)} records of <code>bench run {text(section['name'])}</code>"
     dates = sorted(run["provenance"]["started"] for run in found if run["provenance"].get("started"))

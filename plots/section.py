@@ -82,13 +82,23 @@ class Slab:
         return plane
 
 
-def outline(run, y):
-    """Where the written part crosses the plane, [segments, 2 ends, (x, z)] in mm of the body frame; None without it."""
-    file = pathlib.Path(run["verified"]["file"] or "none")
-    if not file.is_file():  # the record may have moved: meshes lie beside their records
-        file = pathlib.Path(run["path"]).with_suffix(".stl")
-    if not file.is_file():
-        return None
+def written(run):
+    """{material: attributes with its STL as "path"}, shell or part first; empty where the files are not at hand."""
+    materials = run["verified"]["materials"] or {"part": {"file": run["verified"]["file"]}}
+    first = next(name for name in ("part", "shell") if name in materials)
+    found = {}
+    for name in (first, *(n for n in ("interior", "filling") if n in materials)):
+        file = pathlib.Path(materials[name]["file"] or "none")
+        if not file.is_file():  # the record may have moved: meshes lie beside their records
+            stem = pathlib.Path(run["path"]).with_suffix("").name
+            file = pathlib.Path(run["path"]).with_name(f"{stem}{'' if name == first else '-' + name}.stl")
+        if file.is_file():
+            found[name] = {**materials[name], "path": file}
+    return found if first in found else {}
+
+
+def outline(run, file, y):
+    """Where a written surface crosses the plane, [segments, 2 ends, (x, z)] in mm of the body frame."""
     with open(file, "rb") as stl:
         stl.seek(80)
         count = int(np.fromfile(stl, "<u4", 1)[0])
@@ -109,6 +119,26 @@ def outline(run, y):
         t = (y - apex[:, 1]) / (other[:, 1] - apex[:, 1])
         ends.append((apex + t[:, None] * (other - apex))[:, (0, 2)])
     return np.stack(ends, axis=1)
+
+
+MATERIALS = {"part": style.SOLID, "shell": "#9db8d2", "interior": style.SOLID, "filling": style.COLOURS[4]}
+
+
+def draw_materials(axes, slab, files):
+    """What each file holds in the plane: along a vertical line, between its crossings by turns. @return handles"""
+    handles = []
+    for name, material in files.items():
+        lines = outline(slab.run, material["path"], slab.y)
+        low, high = lines[:, :, 0].min(axis=1), lines[:, :, 0].max(axis=1)
+        slope = np.diff(lines[:, :, 1], axis=1)[:, 0] / np.diff(lines[:, :, 0], axis=1)[:, 0]
+        grid = np.linspace(low.min(), high.max(), 1200)
+        for x in (grid[1:] + grid[:-1]) / 2:
+            at = (low <= x) & (x < high)
+            z = np.sort(lines[at, 0, 1] + slope[at] * (x - lines[at, 0, 0]))
+            if len(z) % 2 == 0:  # else it runs along an edge
+                axes.bar(x, z[1::2] - z[::2], 1.06 * (grid[1] - grid[0]), z[::2], color=MATERIALS[name], linewidth=0)
+        handles.append(Patch(color=MATERIALS[name], label=f"{name}, {material['density']:g} g/cm³"))
+    return handles
 
 
 def draw_interior(axes, slab):
@@ -160,9 +190,16 @@ def draw(run, slab):
     figure = plt.figure(figsize=(wide, high))
     axes = figure.add_axes((0.65 / wide, 1.05 / high, across / wide, up / high))
     axes.grid(False)
-    draw_interior(axes, slab)
-    lines = outline(run, slab.y)
-    if lines is not None:
+    files = written(run)
+    if len(files) > 1:
+        handles = draw_materials(axes, slab, files)
+        if "filling" not in files:
+            handles.append(Patch(facecolor="white", edgecolor=style.QUIET, label="void"))
+    else:
+        draw_interior(axes, slab)
+        handles = [Patch(color=style.SOLID, label="interior left solid"), Patch(color=style.VOID, label="void")]
+    for material in files.values():
+        lines = outline(run, material["path"], slab.y)
         axes.add_collection(LineCollection(lines, colors=style.INK, linewidths=0.7, zorder=3))
         left, bottom = np.minimum((left, bottom), lines.min(axis=(0, 1)) - pad)
         right, top = np.maximum((right, top), lines.max(axis=(0, 1)) + pad)
@@ -172,12 +209,11 @@ def draw(run, slab):
     grid = "×".join(str(n) for n in run["domain"]["grid"])
     axes.set_title(f"{run['model']}, {run['problem']}, {run['formulation']} on {grid}: "
                    f"f = {run['objective']:.5g} ({run['termination']})")
-    handles = [Patch(color=style.SOLID, label="interior left solid"), Patch(color=style.VOID, label="void")]
     marks, _ = axes.get_legend_handles_labels()
     axes.legend(handles=handles + marks, loc="upper left", bbox_to_anchor=(1.01, 1), fontsize=8)
     hessian = run["config"].get("ipopt.hessian_approximation", "exact")
     how = f"{run['solver']}, Hessian {hessian}" if run["solver"] == "ipopt" else run["solver"]
-    shell = "the shell is not drawn" if lines is None else "lines: surfaces of the written part"
+    shell = "the shell is not drawn" if not files else "lines: surfaces of the written part"
     note = (f"Cut at y = {slab.y:.3g} mm; {shell}; centres of mass are projected onto the "
             f"plane. {how}. Verified part: {run['verified']['text']}. "
             f"{records.provenance_line([run])}.")

@@ -8,13 +8,13 @@ import style
 from style import plt
 
 
-def series(runs):
-    """{model: runs by wall, in body lengths L}."""
+def series(runs, against):
+    """{model: runs by what they are drawn against}."""
     lines = collections.defaultdict(list)
     for run in runs:
         lines[run["model"]].append(run)
     for line in lines.values():
-        line.sort(key=lambda run: run["domain"]["wall"])
+        line.sort(key=against)
     return lines
 
 
@@ -22,15 +22,15 @@ def millimetres(run):
     return run["domain"]["wall"] * run["body"]["length"]
 
 
-def draw_line(upper, lower, model, line, colour, marker):
+def draw_line(upper, lower, model, line, colour, marker, against):
     met = [run for run in line if records.converged(run)]
-    upper.plot([millimetres(r) for r in met], [r["objective"] for r in met], color=colour, linewidth=1.4, zorder=2)
+    upper.plot([against(r) for r in met], [r["objective"] for r in met], color=colour, linewidth=1.4, zorder=2)
     upper.axhline(met[0]["body"]["solid_objective"], color=colour, linewidth=0.9, linestyle=style.LINES[2], zorder=1)
     ratios = [run for run in met if "largest_over_lateral" in run["verified"]["values"]]
-    lower.plot([millimetres(r) for r in ratios], [r["verified"]["values"]["largest_over_lateral"] for r in ratios],
+    lower.plot([against(r) for r in ratios], [r["verified"]["values"]["largest_over_lateral"] for r in ratios],
                color=colour, linewidth=1.4, zorder=2)
     for run in line:
-        x, good = millimetres(run), records.converged(run) and run["verified"]["ok"]
+        x, good = against(run), records.converged(run) and run["verified"]["ok"]
         look = dict(color=colour, linestyle="none", markersize=5, marker=marker if records.converged(run) else "x",
                     markerfacecolor=colour if good else "white", zorder=3)
         if records.converged(run):
@@ -42,33 +42,38 @@ def draw_line(upper, lower, model, line, colour, marker):
     upper.plot([], [], color=colour, marker=marker, markersize=5, label=model)
 
 
-def figure(found, _published=None):
+def sweep(found, against, label, left=0):
+    """Objective, and the ratio of moments of what spins, against a quantity of the runs."""
     runs = records.with_results(found)
-    lines = {model: line for model, line in series(runs).items() if any(map(records.converged, line))}
+    lines = {model: line for model, line in series(runs, against).items() if any(map(records.converged, line))}
     if not lines:
         raise records.BadRecord("no converged run")
     fig, (upper, lower) = plt.subplots(2, 1, sharex=True, figsize=(7, 6.2), height_ratios=(3, 2))
     for (model, line), colour, marker in zip(lines.items(), style.COLOURS, style.MARKERS):
-        draw_line(upper, lower, model, line, colour, marker)
+        draw_line(upper, lower, model, line, colour, marker, against)
     upper.plot([], [], color=style.QUIET, linestyle=style.LINES[2], linewidth=0.9, label="the solid")
-    for look, label in ((dict(marker="o", markerfacecolor="white"), "misses the verdict"),
+    for look, meaning in ((dict(marker="o", markerfacecolor="white"), "misses the verdict"),
                         (dict(marker="x"), "infeasible")):
-        if label == "infeasible" and all(map(records.converged, runs)):
+        if meaning == "infeasible" and all(map(records.converged, runs)):
             continue
-        if label != "infeasible" and all(r["verified"]["ok"] for r in runs if records.converged(r)):
+        if meaning != "infeasible" and all(r["verified"]["ok"] for r in runs if records.converged(r)):
             continue
-        upper.plot([], [], color=style.QUIET, linestyle="none", markersize=5, label=label, **look)
+        upper.plot([], [], color=style.QUIET, linestyle="none", markersize=5, label=meaning, **look)
     lower.axhline(1, color=style.INK, linewidth=0.8)
     upper.set_title("objective")
     lower.set_title("Izz over the next principal moment; below 1 it does not spin")
-    lower.set_xlabel("least wall, mm")
-    upper.set_xlim(left=0)
+    lower.set_xlabel(label)
+    upper.set_xlim(left=left)
     upper.legend(fontsize=8, ncols=2)
     sizes = ", ".join(f"{m} {records.grid_text(line[0])}" for m, line in lines.items())
     kinds = ", ".join(sorted({run["domain"]["kind"] for run in runs}))
     low = style.caption(fig, f"{kinds} domain; {sizes}. {records.provenance_line(runs)}.", 105)
     fig.tight_layout(rect=(0, low, 1, 1))
     return fig
+
+
+def figure(found, _published=None):
+    return sweep(found, millimetres, "least wall, mm")
 
 
 if __name__ == "__main__":

@@ -40,10 +40,18 @@ Vec3 direction(const Vec3& v, const char* option) {
 void require_valid(const BodySpec& spec) {
   if (!(spec.density > 0) || !std::isfinite(spec.density))
     throw InputError(fmt::format("density {} g/cm^3; expected > 0", spec.density));
-  if (!(spec.void_density >= 0 && spec.void_density < spec.density))
-    throw InputError(
-        fmt::format("void density {} g/cm^3 in a material of {}; expected 0 or more, and less than it",
-                    spec.void_density, spec.density));
+  const double interior = spec.interior_density.value_or(spec.density);
+  if (!(interior > 0) || !std::isfinite(interior))
+    throw InputError(fmt::format("interior density {} g/cm^3; expected > 0", interior));
+  if (!(spec.void_density >= 0) || !std::isfinite(spec.void_density))
+    throw InputError(fmt::format("void density {} g/cm^3; expected 0 or more", spec.void_density));
+  if (spec.void_density == interior)
+    throw InputError(fmt::format(
+        "void density {} g/cm^3 in an interior of {}; expected another than it: there is nothing to design",
+        spec.void_density, interior));
+  (void)axle_of(spec.axle);
+  if (spec.axle.radius && !spec.centred)
+    throw InputError(fmt::format("axle {} mm; expected problem yoyo, others have none", *spec.axle.radius));
   if (spec.size && (!(*spec.size > 0) || !std::isfinite(*spec.size)))
     throw InputError(fmt::format("size {} mm; expected > 0", *spec.size));
 }
@@ -77,6 +85,7 @@ Body make_body(const BodySpec& spec, Source source, device::Device& device) {
   body.name = source.name;
   body.repairs = std::move(source.repairs);
   body.density = spec.density;
+  body.interior_density = spec.interior_density.value_or(spec.density);
   body.void_density = spec.void_density;
   const std::optional<double> size = spec.size ? spec.size : source.size;
   const double scale = size ? *size / bounding_box(source.mesh).extent().maxCoeff() : source.millimetres;
@@ -95,10 +104,23 @@ Body make_body(const BodySpec& spec, Source source, device::Device& device) {
 
   if (spec.contact) require_near_axis(body);
 
-  const Moments about_origin = mesh_moments(body.mesh, device);
+  Moments about_origin = mesh_moments(body.mesh, device);
+  if (spec.centred && !spec.contact) body.contact = centre_of_mass(about_origin);
+  body.axle = axle_of(spec.axle);
+  if (body.axle) {
+    const Frame millimetres{axis_to_z(body.axis), body.contact, 1};
+    body.mesh = to_model(millimetres, halves(to_body(millimetres, body.mesh), *body.axle));
+    about_origin = mesh_moments(body.mesh, device);
+  }
   body.frame = {axis_to_z(body.axis), body.contact, std::cbrt(about_origin[S1])};
   body.local = to_body(body.frame, body.mesh);
   body.solid = mesh_moments(body.local, device);
+  if (body.axle) {
+    const double length = body.frame.length;
+    const Axle axle = {body.axle->radius / length, body.axle->slot / length, body.axle->depth / length};
+    body.added = reference::mesh_moments(axle_mesh(axle)).value;
+    body.solid += body.added;
+  }
   return body;
 }
 
@@ -113,8 +135,8 @@ void reframe(Body& body, const Body& made, const Vec3& axis, const Vec3& contact
 }
 
 MassModel hollowed(const Body& body, const Moments& interior) {
-  const double contrast = 1 - body.void_share();
-  return {body.solid - contrast * interior, contrast};
+  const auto [light, heavy] = std::minmax(body.interior_density, body.void_density);
+  return {body.solid + (light / body.density - 1) * interior, (heavy - light) / body.density, interior};
 }
 
 }  // namespace kreisel

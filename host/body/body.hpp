@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "body/axle.hpp"
 #include "body/frame.hpp"
 #include "body/moments.hpp"
 #include "device/device.hpp"
@@ -23,27 +24,41 @@ struct BodySpec {
   /// Longest side of the bounding box, mm; default the model's, else as the file is in its
   /// unit.
   std::optional<double> size;
-  double density = 1.0;       ///< g/cm^3, > 0
-  double void_density = 0.0;  ///< of what fills the voids, g/cm^3; >= 0, below `density`
+  double density = 1.0;  ///< of the shell, g/cm^3, > 0
+  std::optional<double>
+      interior_density;       ///< of what is left of the interior, g/cm^3, > 0; default `density`
+  double void_density = 0.0;  ///< of what fills the voids, g/cm^3; >= 0, another than the interior's
   int fineness = 0;           ///< of a parametric model; 0: the model's own default
   /// The body frame's z is `up`, not the spin axis, unless `axis` is given.
   bool stands_upright = false;
+  /// Where no contact is given, the origin is the solid's centre of mass; and an axle may be asked for.
+  bool centred = false;
+  AxleSpec axle;
 };
 
-/// A solid of uniform density. Body units: lengths in L = V^(1/3), masses in the solid's own mass.
+/// A solid. Body units: lengths in L = V^(1/3), masses in its own mass if all of it were of the shell's
+/// density.
 struct Body {
   std::string name;
   TriangleMesh mesh;   ///< model coordinates, mm
   TriangleMesh local;  ///< the same in the body frame, body units
   Frame frame;
   Vec3 axis, contact;                ///< as used, model coordinates
-  double density = 1.0;              ///< g/cm^3
+  double density = 1.0;              ///< of the shell, g/cm^3
+  double interior_density = 1.0;     ///< of the interior that is no void, g/cm^3
   double void_density = 0.0;         ///< g/cm^3
   std::vector<std::string> repairs;  ///< what was mended in the file's mesh, one line each
-  Moments solid;  ///< of the whole solid, body frame and units; solid[S1] = 1 up to round-off
+  std::optional<Axle> axle;          ///< mm; the mesh then is both halves, and the axle not in it
+  /// What is fixed and not in the mesh, an axle of the same material; body frame and units.
+  Moments added = Moments::Zero();
+  /// Of the whole solid with what is added, body frame and units; the mesh's share of solid[S1] is 1 up to
+  /// round-off.
+  Moments solid;
 
-  /// Density of the voids' filling in densities of the material.
-  [[nodiscard]] double void_share() const { return void_density / density; }
+  /// Whether shell and interior are of the same material.
+  [[nodiscard]] bool one_material() const { return interior_density == density; }
+  /// Whether the voids' filling is what weighs more.
+  [[nodiscard]] bool heavy_voids() const { return void_density > interior_density; }
 
   [[nodiscard]] double mass_grams() const {
     return density * frame.length * frame.length * frame.length * 1e-3;
@@ -55,7 +70,7 @@ struct Body {
 ///
 /// @throws InputError  unknown model, unreadable or unfit mesh, zero axis, size or density <= 0, voids as
 /// dense
-///                     as the material, a contact point whose axis misses the body
+///                     as the interior, a contact point whose axis misses the body
 [[nodiscard]] Body make_body(const BodySpec& spec, device::Device& device);
 
 /// Mean of the vertices that are lowest along the axis: a flat base gives its middle, a tip gives itself.
@@ -67,10 +82,16 @@ struct Body {
 void reframe(Body& body, const Body& made, const Vec3& axis, const Vec3& contact);
 
 /// Total moments from the designed part alone: s = fixed + contrast * s_domain, in body units.
-/// The one place where shell, fill and void come together.
+/// The one place where shell, interior and void come together.
+///
+/// Designed is always where the *heavier* of interior and void goes, so that the contrast is positive and
+/// "solid", to whatever finds a filling, is what weighs more. With heavy voids the roles are swapped: what a
+/// formulation leaves solid is then the voids' filling. [docs/materials.md]
 struct MassModel {
-  Moments fixed = Moments::Zero();  ///< shell, and the interior at the density of the void
-  double contrast = 1;              ///< rho_fill - rho_void, in solid densities
+  Moments fixed = Moments::Zero();  ///< the shell, and the whole interior at the lighter of its densities
+  double contrast = 1;              ///< > 0: the heavier less the lighter, in densities of the shell
+  /// Of the whole domain at unit density; zero where nobody asks for the heaviest part.
+  Moments interior = Moments::Zero();
 
   [[nodiscard]] Moments total(const Moments& domain) const { return fixed + contrast * domain; }
 };

@@ -87,12 +87,27 @@ class Parser {
       for (auto&& [key, node] : *table.as_table()) read(key, node, run, own);
       multiply_out(run, merged(common, own));
     }
+    require_one_kind();
     return std::move(experiment_);
   }
 
  private:
   [[noreturn]] void fail(unsigned line, const std::string& what) const {
     throw InputError(fmt::format("{}: line {}: {}", file_, line, what));
+  }
+
+  /// Tables and figures set out solves or maps, not both.
+  void require_one_kind() const {
+    const unsigned line = root_.source().end.line;
+    for (const ExperimentRun& run : experiment_.runs) {
+      if (run.config.map && experiment_.table != "maps")
+        fail(line, fmt::format("table = \"{}\" with a map of orientations, expected table = \"maps\"",
+                               experiment_.table));
+      if (!run.config.map && experiment_.table == "maps")
+        fail(line, "table = \"maps\" with a run that is none, expected axes or through in every run");
+      if (run.mesh && (run.config.map || run.config.part == Part::none))
+        fail(line, "mesh = true for a run that makes no part, expected a solve with part = \"written\"");
+    }
   }
 
   std::string string_of(std::string_view key, const toml::node& node, unsigned line) const {

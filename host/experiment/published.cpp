@@ -24,13 +24,28 @@ std::optional<PublishedRow::Inertia> inertia(const nlohmann::json& row) {
   return PublishedRow::Inertia{found.at("before").get<Six>(), found.at("after").get<Six>()};
 }
 
+std::optional<PublishedRow::Standing> standing(const nlohmann::json& row) {
+  if (!row.contains("standing")) return std::nullopt;
+  const auto& found = row.at("standing");
+  return PublishedRow::Standing{found.at("height_percent").get<double>(),
+                                found.at("tilt_degrees").get<double>()};
+}
+
+std::optional<PublishedRow::Voids> voids(const nlohmann::json& row) {
+  if (!row.contains("voids")) return std::nullopt;
+  const auto& found = row.at("voids");
+  return PublishedRow::Voids{found.at("pieces").get<int>(), found.at("cuts").get<int>()};
+}
+
 }  // namespace
 
 const PublishedRow* Published::find(const std::string& model, const std::optional<std::array<int, 3>>& grid,
-                                    const std::string& problem) const {
+                                    const std::string& problem,
+                                    const std::map<std::string, std::string>& settings) const {
   const auto at = std::find_if(rows.begin(), rows.end(), [&](const PublishedRow& row) {
     return row.model == model && (!row.grid || row.grid == grid) &&
-           (row.problem.empty() || problem.empty() || row.problem == problem);
+           (row.problem.empty() || problem.empty() || row.problem == problem) &&
+           std::ranges::includes(settings, row.settings);
   });
   return at == rows.end() ? nullptr : &*at;
 }
@@ -46,10 +61,17 @@ Published read_published(const std::filesystem::path& file) {
       out.model = row.at("model").get<std::string>();
       if (row.contains("grid")) out.grid = row.at("grid").get<std::array<int, 3>>();
       out.problem = row.value("problem", "");
+      out.label = row.value("label", "");
+      out.solver = row.value("solver", "");
       out.rayrep = side(row, "rayrep");
       out.voxel = side(row, "voxel");
       if (row.contains("speedup")) out.speedup = row.at("speedup").get<double>();
       out.inertia = inertia(row);
+      out.standing = standing(row);
+      out.voids = voids(row);
+      if (row.contains("omega_reduction")) out.omega_reduction = row.at("omega_reduction").get<double>();
+      if (row.contains("settings"))
+        out.settings = row.at("settings").get<std::map<std::string, std::string>>();
     }
     return published;
   } catch (const nlohmann::json::exception& error) {

@@ -17,6 +17,9 @@ std::string model_text(const RunConfig& config) {
 }
 
 std::string run_text(const RunConfig& config) {
+  if (config.map)
+    return fmt::format("{} {} {} map{}", model_text(config), grid_text(config.grid), config.problem,
+                       config.map->through == Through::centre ? " through centre" : "");
   return fmt::format("{} {} {} {}", model_text(config), grid_text(config.grid), config.formulation,
                      solver_of(config));
 }

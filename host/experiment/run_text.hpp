@@ -10,7 +10,7 @@ namespace kreisel {
 /// "80x52x51", or "64" when only the longest side is given.
 [[nodiscard]] std::string grid_text(const GridSpec& grid);
 
-/// "ellipsoid 80x52x51 voxel ipopt"; a mesh file by its stem.
+/// "ellipsoid 80x52x51 voxel ipopt", "bunny 100 spin map through centre"; a mesh file by its stem.
 [[nodiscard]] std::string run_text(const RunConfig& config);
 
 /// The stem of a mesh file, or the name of a model.

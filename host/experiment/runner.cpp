@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <new>
-#include <optional>
 #include <system_error>
 
 #include "error.hpp"
+#include "experiment/attempt.hpp"
 #include "experiment/progress.hpp"
 #include "experiment/run_text.hpp"
 #include "record/record.hpp"
@@ -16,25 +17,6 @@
 namespace kreisel {
 namespace fs = std::filesystem;
 namespace {
-
-/// Whether more timed solves are asked for than when the record was made, and would be made now. A record
-/// that was asked the same is as good as another one would be.
-bool wants_more_samples(const RunConfig& config, const RecordSummary& record) {
-  double spent = 0;
-  for (const Seconds& sample : record.samples) spent += sample.solve;
-  return (record.repeat < config.repeat || record.budget_seconds < config.budget_seconds) &&
-         record.samples.size() < static_cast<std::size_t>(config.repeat) && spent < config.budget_seconds;
-}
-
-RunState state_of(const PlannedRun& run) {
-  std::error_code ignored;
-  if (!fs::exists(run.record, ignored)) return RunState::missing;
-  const RecordSummary record = read_record(run.record);
-  if (!record.error.empty()) return RunState::failed;
-  if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
-  if (wants_more_samples(run.config, record)) return RunState::few_samples;
-  return RunState::finished;
-}
 
 std::string_view text_of(RunState state) {
   switch (state) {
@@ -64,58 +46,12 @@ Provenance provenance_of(const RunConfig& config) {
   }
 }
 
-bool converged(Termination termination) {
-  return termination == Termination::optimal || termination == Termination::acceptable;
-}
-
-std::string result_text(const RunResult& result, double wall_seconds) {
-  const Outcome& outcome = result.outcome;
-  return fmt::format("{}: {}, {} variables, {} iterations, {:.3g} s (median of {}), f = {:.6g}; {} in all",
-                     run_text(result.config), to_string(outcome.termination), result.variables,
-                     outcome.iterations, result.median.solve, result.samples.size(), outcome.objective,
-                     duration_text(wall_seconds));
-}
-
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
     throw InputError(fmt::format("{}: {}, expected a folder for results", folder.string(), error.message()));
 }
-
-/// The mesh is written beside its final name, so that an interrupted or failing run leaves the old one alone.
-class MeshInProgress {
- public:
-  explicit MeshInProgress(const fs::path& target) : target_(target) {
-    if (!target.empty()) partial_ = fs::path(target).replace_extension(".new.stl");
-  }
-  ~MeshInProgress() {
-    std::error_code ignored;
-    if (!partial_.empty()) fs::remove(partial_, ignored);
-  }
-  MeshInProgress(const MeshInProgress&) = delete;
-  MeshInProgress& operator=(const MeshInProgress&) = delete;
-
-  [[nodiscard]] std::string file() const { return partial_.string(); }
-
-  /// The record names the mesh as it will be.
-  void name_in(RunResult& result) const {
-    if (!partial_.empty()) result.verified.file = target_.string();
-  }
-
-  void keep() {
-    if (partial_.empty()) return;
-    std::error_code error;
-    fs::rename(partial_, target_, error);
-    if (error)
-      throw InputError(
-          fmt::format("{}: {}, expected to keep the mesh there", target_.string(), error.message()));
-    partial_.clear();
-  }
-
- private:
-  fs::path target_, partial_;
-};
 
 }  // namespace
 
@@ -176,13 +112,13 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
       counts.interrupted = true;
       break;
     }
-    MeshInProgress mesh(run.mesh);
-    std::optional<RunResult> result;
+    const std::unique_ptr<Attempt> attempt = make_attempt(run, hooks);
     std::string error;
+    bool ended = false;
     progress.begin(i);
     try {
-      result =
-          hooks.run(run.config, mesh.file(), [&](const std::string& step) { progress.step(step); }).result;
+      attempt->run([&](const std::string& step) { progress.step(step); });
+      ended = true;
     } catch (const std::bad_alloc&) {
       error = "not enough memory; expected a coarser resolution";
     } catch (const std::exception& e) {
@@ -190,19 +126,14 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
     } catch (...) {  // Ipopt's own are no std::exception
       error = "unknown exception";
     }
-    const double seconds = progress.end(result.has_value());
+    const double seconds = progress.end(ended);
 
-    // Interrupted between two timed solves: whole, but timed less often than asked.
-    const bool cut_short =
-        result && result->samples.size() < static_cast<std::size_t>(run.config.repeat) && hooks.interrupted();
-    if (result && !cut_short && result->outcome.termination != Termination::interrupted) {
-      mesh.name_in(*result);
-      write_record(run.record, *result);  // may find the disk full: then the old mesh stays, too
-      mesh.keep();
+    if (ended && attempt->whole()) {
+      attempt->keep();
       ++counts.done;
-      if (!converged(result->outcome.termination)) ++counts.unconverged;
-      progress.note(result_text(*result, seconds));
-    } else if (result || hooks.interrupted()) {
+      if (!attempt->converged()) ++counts.unconverged;
+      progress.note(fmt::format("{}; {} in all", attempt->text(), duration_text(seconds)));
+    } else if (ended || hooks.interrupted()) {
       // What an interruption tore apart says nothing about the run.
       counts.interrupted = true;
     } else {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiment/experiment.hpp"
+#include "run/orientation_map.hpp"
 #include "run/pipeline.hpp"
 #include "solve/interrupt.hpp"
 
@@ -23,6 +24,10 @@ struct RunnerOptions {
 struct RunnerHooks {
   std::function<RunOutput(const RunConfig&, const std::string& mesh_file, const Progress&)> run =
       kreisel::run;
+  std::function<OrientationMap(const RunConfig&, const Progress&)> map = [](const RunConfig& config,
+                                                                            const Progress& progress) {
+    return map_orientations(map_spec(config), progress);
+  };
   std::function<bool()> interrupted = kreisel::interrupted;
   /// Of a run that failed before it could say itself.
   std::function<Provenance(const RunConfig&)> provenance;

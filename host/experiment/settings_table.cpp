@@ -30,7 +30,7 @@ Fields settings_of(const RecordedRun& run, By by) {
   for (const char* key : {"model", "resolution", "problem"}) fields.erase(key);
   // A formulation has one solver of its own; another one is written in the experiment as a setting would be.
   if (by == By::formulation)
-    for (const char* key : {"domain", "certify"}) fields.erase(key);
+    for (const char* key : {"domain", "certify", "part"}) fields.erase(key);
   else
     fields.erase("formulation");
   if (by == By::formulation && run.run.config.solver.empty()) fields.erase("solver");

@@ -7,13 +7,17 @@
 #include "experiment/certificate_table.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/inertia_table.hpp"
+#include "experiment/maps_table.hpp"
 #include "experiment/published_table.hpp"
 #include "experiment/run_text.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/settings_table.hpp"
 #include "experiment/simulation_table.hpp"
 #include "experiment/speedup_table.hpp"
+#include "experiment/standing_table.hpp"
 #include "experiment/table_parts.hpp"
+#include "experiment/top_table.hpp"
+#include "experiment/voids_table.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel {
@@ -27,6 +31,14 @@ const std::vector<TableKind>& table_kinds() {
       {"formulations", "a block a body, a row a formulation: what it takes and what it reaches",
        formulations_tables},
       {"certificate", "a row a run: certified bound, gap, boxes, seconds", certificate_tables},
+      {"maps", "a row a map of orientations and draft: how much is feasible, which axis is best",
+       maps_tables},
+      {"standing",
+       "a block a body: height of the centre of mass and tilt, by target and solver, beside a paper",
+       standing_tables},
+      {"voids", "a row a run: pieces of the void, islands, planar cuts, beside a paper", voids_tables},
+      {"tops", "a row a run: height, moments and least speed of the solid and the part, beside a paper",
+       top_tables},
       {"simulation", "a row a run: solid and part set spinning beside each other", simulation_tables},
       {"inertia", "a block a run: inertia tensor and principal moments before and after", inertia_tables},
   };
@@ -46,7 +58,11 @@ std::vector<RecordedRun> collect(const Experiment& experiment, const std::filesy
     std::error_code ignored;
     RecordedRun& recorded = runs.emplace_back();
     recorded.run = run;
-    if (std::filesystem::exists(path, ignored)) recorded.record = read_record(path);
+    if (!std::filesystem::exists(path, ignored)) continue;
+    if (run.config.map && is_map(path))
+      recorded.map = read_map(path);
+    else
+      recorded.record = read_record(path);
   }
   return runs;
 }

@@ -10,6 +10,7 @@
 #include "experiment/experiment.hpp"
 #include "experiment/published.hpp"
 #include "experiment/sheet.hpp"
+#include "record/map_record.hpp"
 #include "record/record.hpp"
 
 namespace kreisel {
@@ -17,7 +18,8 @@ namespace kreisel {
 /// A run of an experiment with what is on record for it.
 struct RecordedRun {
   ExperimentRun run;
-  std::optional<RecordSummary> record;  ///< empty: it did not run yet
+  std::optional<RecordSummary> record;  ///< of a solve, or of what failed; empty: it did not run yet
+  std::optional<MapSummary> map;        ///< of a map
 };
 
 /// A way to set runs out, as `table = "NAME"` of an experiment names it.

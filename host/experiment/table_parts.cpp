@@ -73,7 +73,10 @@ const PublishedRow* find_row(const RecordedRun& run, const std::optional<Publish
   if (!published) return nullptr;
   std::optional<std::array<int, 3>> cells = run.run.config.grid.cells;
   if (!cells && has_result(run)) cells = run.record->grid;
-  return published->find(model_text(run.run.config), cells, run.run.config.problem);
+  std::map<std::string, std::string> settings = run.run.config.settings;
+  for (const auto& [name, value] : find_problem(run.run.config.problem).weights)
+    settings.try_emplace("problem." + name, value);
+  return published->find(model_text(run.run.config), cells, run.run.config.problem, settings);
 }
 
 bool any_certified(const std::vector<RecordedRun>& runs) {
@@ -105,7 +108,7 @@ SolveCells::SolveCells(const RecordedRun& run) {
   samples = fmt::format("{}", r.samples.size());
   objective = Cell::of(r.objective, "{:.6g}");
   violation = Cell::of(r.violation, "{:.1e}");
-  verified = r.verified_ok ? "yes" : "no";
+  if (r.has_part) verified = r.verified_ok ? "yes" : "no";
   device = r.device;
   commit = r.commit;
 }

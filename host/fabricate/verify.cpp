@@ -2,28 +2,70 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "body/mesh_moments.hpp"
 #include "error.hpp"
 #include "mesh/check.hpp"
+#include "mesh/format.hpp"
 #include "mesh/read.hpp"
 #include "mesh/separate_edges.hpp"
+#include "mesh/write.hpp"
 
 namespace kreisel {
 
-WrittenPart verify_file(const std::filesystem::path& file, const Body& body, const Problem& problem) {
-  WrittenPart part;
-  try {
-    TriangleMesh mesh = read_mesh(file);
-    part.triangles = mesh.triangles.size();
-    // STL has no vertices of its own: where parts of the body touch along an edge, theirs became one.
-    (void)separate_edges(mesh);
-    require_solid(mesh, file.filename().string());
-    const Moments material = reference::mesh_moments(to_body(body.frame, mesh)).value;
-    part.moments = material + body.void_share() * (body.solid - material);  // what is void holds the filling
-  } catch (const InputError& error) {
-    part.verdict.text = fmt::format("the written mesh is not a solid: {}", error.what());
-    return part;
+std::vector<WrittenMaterial> write_parts(const std::filesystem::path& path,
+                                         const std::vector<MaterialPart>& parts) {
+  std::vector<WrittenMaterial> written;
+  std::vector<MeshObject> objects;
+  for (const MaterialPart& part : parts) {
+    objects.push_back({fmt::format("{}, {} g/cm^3", part.name, part.density), part.surfaces});
+    written.push_back({part.name, part.density, path, 0, 0});
   }
+  if (mesh_format(path).encode_objects) {
+    write_objects(path, objects);
+    return written;
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i > 0)
+      written[i].file = path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), parts[i].name,
+                                                         path.extension().string());
+    write_mesh(written[i].file, parts[i].surfaces);
+  }
+  return written;
+}
+
+WrittenPart verify_written(std::vector<WrittenMaterial> materials, const Body& body, const Problem& problem) {
+  WrittenPart part;
+  part.materials = std::move(materials);
+  std::filesystem::path open;
+  std::vector<TriangleMesh> objects;
+  std::size_t next = 0;
+  for (WrittenMaterial& material : part.materials) {
+    try {
+      if (material.file != open) {
+        objects = read_objects(material.file);
+        open = material.file;
+        next = 0;
+      }
+      if (next == objects.size())
+        throw InputError(fmt::format("{}: {} objects, expected one more", open.string(), next));
+      TriangleMesh mesh = std::move(objects[next++]);
+      material.triangles = mesh.triangles.size();
+      // STL has no vertices of its own: where parts of the body touch along an edge, theirs became one.
+      (void)separate_edges(mesh);
+      require_solid(mesh, material.file.filename().string());
+      const Moments own =
+          material.density / body.density * reference::mesh_moments(to_body(body.frame, mesh)).value;
+      material.grams = own[S1] * body.mass_grams();
+      part.moments += own;
+    } catch (const InputError& error) {
+      part.verdict.text = fmt::format("the written mesh is not a solid: {}", error.what());
+      return part;
+    }
+  }
+  part.moments += body.added;
   part.verdict = problem.verify(part.moments, body.frame.length);
   return part;
 }

@@ -1,24 +1,41 @@
-// verify.hpp - judges a part by the file it was written to.
+// verify.hpp - writes a part, and judges it by the files it was written to.
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
-#include "body/body.hpp"
+#include "fabricate/parts.hpp"
 #include "problem/problem.hpp"
 
 namespace kreisel {
 
-/// What a written file holds.
+/// One material of a part, as it was written.
+struct WrittenMaterial {
+  std::string name;
+  double density = 1;          ///< g/cm^3
+  std::filesystem::path file;  ///< of several materials in one file, one object each, the same
+  std::size_t triangles = 0;   ///< as read again
+  double grams = 0;            ///< of the file's own volume; 0 where it is no solid
+};
+
+/// What the written files hold.
 struct WrittenPart {
+  std::vector<WrittenMaterial> materials;
   Moments moments = Moments::Zero();  ///< body frame and units
-  std::size_t triangles = 0;
   Verdict verdict;
 };
 
-/// Reads `file` again, checks that it is a watertight, oriented solid, integrates its moments on the host in
-/// double (not by the kernels that made it) and asks the problem for its verdict. A mesh that fails the
-/// checks gives a verdict that is not ok and says why.
-[[nodiscard]] WrittenPart verify_file(const std::filesystem::path& file, const Body& body,
-                                      const Problem& problem);
+/// A file a material: the first as `path` says, the others as NAME-interior.stl and NAME-filling.stl beside
+/// it. 3MF takes them all in one file, as objects with their names.
+/// @throws InputError  see write_mesh()
+[[nodiscard]] std::vector<WrittenMaterial> write_parts(const std::filesystem::path& path,
+                                                       const std::vector<MaterialPart>& parts);
+
+/// Reads the files again, checks that each is a watertight, oriented solid, integrates its moments on the
+/// host in double (not by the kernels that made it), adds them up by their densities and asks the problem for
+/// its verdict. A mesh that fails the checks gives a verdict that is not ok and says why.
+[[nodiscard]] WrittenPart verify_written(std::vector<WrittenMaterial> materials, const Body& body,
+                                         const Problem& problem);
 
 }  // namespace kreisel

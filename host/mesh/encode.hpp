@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/mesh_object.hpp"
 
 namespace kreisel {
 
@@ -15,6 +15,8 @@ namespace kreisel {
 /// One object in millimetres, so that an inner part is a cavity of the outer; single precision, cut to
 /// six decimals (1 nm) by lib3mf.
 [[nodiscard]] std::string encode_3mf(const std::vector<TriangleMesh>& parts, const std::string& name);
+/// An object each, all of them to be built where they are.
+[[nodiscard]] std::string encode_3mf_objects(const std::vector<MeshObject>& objects, const std::string& name);
 /// Text with the fewest digits that give back the same doubles.
 [[nodiscard]] std::string encode_obj(const std::vector<TriangleMesh>& parts, const std::string& name);
 [[nodiscard]] std::string encode_off(const std::vector<TriangleMesh>& parts, const std::string& name);

@@ -11,8 +11,10 @@ namespace kreisel {
 
 const std::vector<MeshFormat>& mesh_formats() {
   static const std::vector<MeshFormat> formats = {
-      {".stl", "STL", false, read_stl, encode_stl}, {".3mf", "3MF", true, read_3mf, encode_3mf},
-      {".obj", "OBJ", false, read_obj, encode_obj}, {".ply", "PLY", false, read_ply, encode_ply},
+      {".stl", "STL", false, read_stl, encode_stl},
+      {".3mf", "3MF", true, read_3mf, encode_3mf, encode_3mf_objects, read_3mf_objects},
+      {".obj", "OBJ", false, read_obj, encode_obj},
+      {".ply", "PLY", false, read_ply, encode_ply},
       {".off", "OFF", false, read_off, encode_off},
   };
   return formats;

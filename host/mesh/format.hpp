@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/mesh_object.hpp"
 #include "mesh/mesh_text.hpp"
 
 namespace kreisel {
@@ -18,6 +19,9 @@ struct MeshFormat {
   TriangleMesh (*read)(const MeshFile& file);
   /// The bytes of a file of that name with all parts. @throws InputError  something the format cannot hold
   std::string (*encode)(const std::vector<TriangleMesh>& parts, const std::string& name);
+  /// The same as several objects with names, and back, in their order; null where a format has no objects.
+  std::string (*encode_objects)(const std::vector<MeshObject>& objects, const std::string& name) = nullptr;
+  std::vector<TriangleMesh> (*read_objects)(const MeshFile& file) = nullptr;
 };
 
 [[nodiscard]] const std::vector<MeshFormat>& mesh_formats();

@@ -33,4 +33,10 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
   return mesh;
 }
 
+std::vector<TriangleMesh> read_objects(const std::filesystem::path& path) {
+  const MeshFormat& format = mesh_format(path);
+  if (!format.read_objects) return {read_mesh(path)};
+  return format.read_objects({path.string(), contents(path)});
+}
+
 }  // namespace kreisel

@@ -16,4 +16,7 @@ namespace kreisel {
 ///                     vertices, a coordinate that is no finite number, or no triangle at all
 [[nodiscard]] TriangleMesh read_mesh(const std::filesystem::path& path);
 
+/// The same, a mesh for each object of a format that has objects (3MF); one of others.
+[[nodiscard]] std::vector<TriangleMesh> read_objects(const std::filesystem::path& path);
+
 }  // namespace kreisel

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/encode.hpp"
 #include "mesh/lib3mf_handle.hpp"
 
 namespace kreisel {
@@ -69,7 +70,9 @@ class Reader {
     refuse_warnings(reader);
   }
 
-  TriangleMesh mesh() {
+  /// A mesh for each build item.
+  std::vector<TriangleMesh> meshes() {
+    std::vector<TriangleMesh> all;
     DWORD unit = 0;
     require(NMR::lib3mf_model_getunit(model_.get(), &unit), model_.get());
     const Transform to_millimetres(Eigen::UniformScaling<double>(millimetres(unit, name_)));
@@ -77,7 +80,7 @@ class Reader {
     require(NMR::lib3mf_model_getbuilditems(model_.get(), items.out()), model_.get());
     for (BOOL more = 0;;) {
       require(NMR::lib3mf_builditemiterator_movenext(items.get(), &more), items.get());
-      if (!more) return std::move(mesh_);
+      if (!more) return all;
       Lib3mfHandle item, object;
       require(NMR::lib3mf_builditemiterator_getcurrent(items.get(), item.out()), items.get());
       require(NMR::lib3mf_builditem_getobjectresource(item.get(), object.out()), item.get());
@@ -85,7 +88,9 @@ class Reader {
       NMR::MODELTRANSFORM t{};
       require(NMR::lib3mf_builditem_hasobjecttransform(item.get(), &has), item.get());
       if (has) require(NMR::lib3mf_builditem_getobjecttransform(item.get(), &t), item.get());
+      mesh_ = {};
       add_object(object, has ? to_millimetres * to_eigen(t) : to_millimetres);
+      all.push_back(std::move(mesh_));
     }
   }
 
@@ -139,7 +144,7 @@ class Reader {
     DWORD vertices = 0, triangles = 0;
     require(NMR::lib3mf_meshobject_getvertexcount(object.get(), &vertices), object.get());
     require(NMR::lib3mf_meshobject_gettrianglecount(object.get(), &triangles), object.get());
-    if (mesh_.triangles.size() + triangles > most_triangles)
+    if ((read_ += triangles) > most_triangles)
       throw InputError(fmt::format("{}: 3MF: components add up to more than {} triangles, expected fewer",
                                    name_, most_triangles));
     std::vector<NMR::MODELMESHVERTEX> points(vertices);
@@ -172,15 +177,18 @@ class Reader {
 
   std::string name_;
   Lib3mfHandle model_;
-  TriangleMesh mesh_;
+  TriangleMesh mesh_;     ///< of the build item under way
+  std::size_t read_ = 0;  ///< triangles of all of them
 };
 
 }  // namespace
 
-TriangleMesh read_3mf(const MeshFile& file) {
+TriangleMesh read_3mf(const MeshFile& file) { return joined(read_3mf_objects(file), file.name); }
+
+std::vector<TriangleMesh> read_3mf_objects(const MeshFile& file) {
   if (!file.bytes.starts_with("PK"))
     throw InputError(fmt::format("{}: no ZIP archive, expected a 3MF package", file.name));
-  return Reader(file).mesh();
+  return Reader(file).meshes();
 }
 
 }  // namespace kreisel

@@ -12,4 +12,7 @@ namespace kreisel {
 /// @throws InputError  one line: no package, a broken one, a triangle that names no vertex, nothing to build
 [[nodiscard]] TriangleMesh read_3mf(const MeshFile& file);
 
+/// The same, a mesh for each build item, in their order.
+[[nodiscard]] std::vector<TriangleMesh> read_3mf_objects(const MeshFile& file);
+
 }  // namespace kreisel

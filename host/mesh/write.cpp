@@ -9,4 +9,8 @@ void write_mesh(const std::filesystem::path& path, const std::vector<TriangleMes
   write_text(path, mesh_format(path).encode(parts, path.string()));
 }
 
+void write_objects(const std::filesystem::path& path, const std::vector<MeshObject>& objects) {
+  write_text(path, mesh_format(path).encode_objects(objects, path.string()));
+}
+
 }  // namespace kreisel

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/mesh_object.hpp"
 
 namespace kreisel {
 
@@ -15,5 +15,8 @@ namespace kreisel {
 /// @throws InputError  another extension, not writable, the disk is full, a coordinate outside the format's
 ///                     range, or more triangles than it can count
 void write_mesh(const std::filesystem::path& path, const std::vector<TriangleMesh>& parts);
+
+/// Several objects into one file of a format that has objects (3MF). @throws InputError  as above
+void write_objects(const std::filesystem::path& path, const std::vector<MeshObject>& objects);
 
 }  // namespace kreisel

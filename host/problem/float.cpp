@@ -25,6 +25,11 @@ Float::Float(const Draft& draft) : draft_(draft) {
 Moments Float::gradient(const Moments&) const { return Moments::Unit(SZ) / draft_.mass; }
 
 std::string Float::scope(const MassModel& mass) const {
+  if (!draft_.one_material) {
+    const double grams = draft_.solid_grams;
+    return fmt::format("at this draft with a part of {:.4g} g; these materials make {:.4g} to {:.4g} g",
+                       grams * draft_.mass, grams * mass.fixed[S1], grams * mass.total(mass.interior)[S1]);
+  }
   // Solid, the part weighs 1 in solid masses; hollowed out altogether, mass.fixed. Either scales with
   // density.
   const double shell = mass.fixed[S1];
@@ -122,6 +127,8 @@ std::unique_ptr<Problem> make_float(const ProblemSettings& settings, const Body&
   result.water = hydrostatics(body.local, waterline_for(draft, body, fluid));
   result.fluid = fluid;
   result.density = body.density;
+  result.one_material = body.one_material() && body.void_density == 0;
+  result.solid_grams = body.mass_grams();
   // A body unit of volume is the solid's own, and so is a unit of mass.
   result.mass = fluid / body.density * result.water.volume;
   return std::make_unique<Float>(result);

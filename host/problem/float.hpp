@@ -10,7 +10,9 @@ namespace kreisel {
 struct Draft {
   Hydrostatics water;             ///< body frame and units
   double mass = 0;                ///< of the displaced fluid, in solid masses: what the part must weigh
-  double fluid = 1, density = 1;  ///< of the fluid and of the material, g/cm^3
+  double fluid = 1, density = 1;  ///< of the fluid and of the shell, g/cm^3
+  bool one_material = true;  ///< in shell and interior, and voids are empty: then any density can be asked of
+  double solid_grams = 1;    ///< a solid mass
 };
 
 /// Minimise c_z with the centre of mass over the centre of buoyancy and the part's mass that of the water it

@@ -6,6 +6,8 @@
 #include "problem/float.hpp"
 #include "problem/spin.hpp"
 #include "problem/stand.hpp"
+#include "problem/top.hpp"
+#include "problem/yoyo.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel {
@@ -24,7 +26,25 @@ const std::vector<ProblemEntry>& problems() {
        make_spin,
        ProblemSettings{},
        false,
-       {"lambda", "gamma_i"}},
+       {"lambda", "gamma_i"},
+       {{"lambda", "0"}, {"gamma_i", "1"}}},
+      {"top",
+       "spins on its tip: as spin, with centre of mass and mass lowered, or the height alone [SpinIt, eq. 3]",
+       make_top,
+       std::nullopt,
+       false,
+       {"lower", "gamma_c", "gamma_i", "form"},
+       {{"lower", "mass"}, {"gamma_c", "1"}, {"gamma_i", "1"}, {"form", "trace"}}},
+      {"yoyo",
+       "spins about its axle: centre of mass at the axle's centre, principal, and the largest moment "
+       "[SpinIt, "
+       "eq. 2]",
+       make_yoyo,
+       std::nullopt,
+       false,
+       {"gamma_i", "form"},
+       {{"gamma_i", "1"}, {"form", "trace"}},
+       true},
       {"stand",
        "stands: centre of mass over the base and low, or the largest tilt before toppling",
        make_stand,

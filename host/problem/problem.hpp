@@ -49,6 +49,28 @@ struct Verdict {
   std::map<std::string, double> values;  ///< the numbers behind it; NaN where one does not exist
 };
 
+/// Variables a that a problem has beside the moments, and equations between both: minimise value(s, a)
+/// subject to residuals(s, a) = 0 and the problem's linear constraints on s. Derivatives are in (s, a), the
+/// ten moments first.
+class Auxiliary {
+ public:
+  virtual ~Auxiliary() = default;
+
+  [[nodiscard]] virtual int variables() const = 0;
+  [[nodiscard]] virtual int equations() const = 0;
+  /// Where to start from, given the moments of the start.
+  [[nodiscard]] virtual Eigen::VectorXd start(const Moments& s) const = 0;
+  [[nodiscard]] virtual double value(const Moments& s, const Eigen::VectorXd& a) const = 0;
+  [[nodiscard]] virtual Eigen::VectorXd gradient(const Moments& s, const Eigen::VectorXd& a) const = 0;
+  [[nodiscard]] virtual Eigen::MatrixXd hessian(const Moments& s, const Eigen::VectorXd& a) const = 0;
+  [[nodiscard]] virtual Eigen::VectorXd residuals(const Moments& s, const Eigen::VectorXd& a) const = 0;
+  /// One equation a row.
+  [[nodiscard]] virtual Eigen::MatrixXd jacobian(const Moments& s, const Eigen::VectorXd& a) const = 0;
+  /// Hessian of multipliers . residuals.
+  [[nodiscard]] virtual Eigen::MatrixXd curvature(const Moments& s, const Eigen::VectorXd& a,
+                                                  const Eigen::VectorXd& multipliers) const = 0;
+};
+
 /// A mass-property problem. All moments are totals in body frame and units (body.hpp).
 class Problem {
  public:
@@ -63,6 +85,10 @@ class Problem {
   [[nodiscard]] virtual Moments gradient(const Moments& s) const = 0;
   [[nodiscard]] virtual Matrix10 hessian(const Moments& s) const = 0;
   [[nodiscard]] virtual const LinearConstraints& constraints() const = 0;
+
+  /// The form with variables of its own, where that is what was asked for, else nullptr; value(s) is then the
+  /// least over them. Only solvers that say so take it (SolverEntry).
+  [[nodiscard]] virtual const Auxiliary* auxiliary() const { return nullptr; }
 
   /// The objective of a fractional problem; nothing for others.
   [[nodiscard]] virtual std::optional<Ratio> ratio() const { return std::nullopt; }
@@ -94,6 +120,8 @@ struct ProblemEntry {
   std::optional<ProblemSettings> for_solid;
   bool upright = false;                         ///< goes by the body's up direction, not by its spin axis
   std::vector<std::string_view> settings = {};  ///< names that `make` knows
+  ProblemSettings weights = {};                 ///< those that say what f is, with their defaults
+  bool centred = false;  ///< the body frame's origin is its centre of mass where no point is given
 };
 
 [[nodiscard]] const std::vector<ProblemEntry>& problems();

@@ -1,7 +1,7 @@
 // spin.hpp - RayRep's spinning problem.
 #pragma once
 
-#include "problem/problem.hpp"
+#include "problem/spinning.hpp"
 
 namespace kreisel {
 
@@ -11,29 +11,14 @@ struct SpinOptions {
 };
 
 /// Minimise  lambda c_z + gamma_i (Jxx^2 + Jyy^2 + 2 Ixy^2) / Izz^2,  Jtt = Itt - sz^2/s1,
-/// subject to  sx = sy = 0, sxz = syz = 0.  [RayRep, eq. 7-9; Izz enters squared]
-///
-/// J is the upper 2 x 2 block of the inertia tensor about the centre of mass when that lies on the axis.
-class Spin final : public Problem {
+/// subject to  sx = sy = 0, sxz = syz = 0.  [RayRep, eq. 7-9]
+class Spin final : public Spinning {
  public:
-  explicit Spin(const SpinOptions& options);
+  explicit Spin(const SpinOptions& options)
+      : Spinning({.lambda = options.lambda, .gamma_i = options.gamma_i}, false, SpinForm::trace) {}
 
-  [[nodiscard]] const SpinOptions& options() const { return options_; }
   [[nodiscard]] std::string_view name() const override { return "spin"; }
   [[nodiscard]] Convexity convexity() const override { return Convexity::spin; }
-  [[nodiscard]] double value(const Moments& s) const override;
-  [[nodiscard]] Moments gradient(const Moments& s) const override;
-  [[nodiscard]] Matrix10 hessian(const Moments& s) const override;
-  [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
-
-  /// Centre of mass off the axis <= 1e-3 L, axis tilt <= 0.1 degrees, Izz the largest principal moment about
-  /// the centre of mass. omega_min_rpm from SpinIt's eq. 1, NaN when Izz is not the largest or the centre of
-  /// mass lies below the contact point (any speed will do).
-  [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override;
-
- private:
-  SpinOptions options_;
-  LinearConstraints constraints_;
 };
 
 /// @throws InputError  a setting other than lambda, gamma_i, or out of range

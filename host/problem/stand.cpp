@@ -55,7 +55,7 @@ Verdict verdict_of(const Base& base, const Moments& s, double length_mm, double 
 
 }  // namespace
 
-Stand::Stand(Base base, std::optional<double> margin) : base_(std::move(base)) {
+Stand::Stand(Base base, std::optional<double> margin) : base_(std::move(base)), margin_(margin) {
   LinearConstraints& c = constraints_;
   if (!margin) {
     c.matrix.setZero(2, 10);
@@ -168,8 +168,11 @@ std::unique_ptr<Problem> make_stand(const ProblemSettings& settings, const Body&
   const Box box = bounding_box(body.local);
   Base base{support_polygon(body, tolerance), box.lo[2], box.extent()[2]};
   if (target == "max-tilt") {
-    // From the solid's own tilt; a solid that falls over starts at none, where its problem is still convex.
-    const double tau = std::max(0.0, base.tangent(centre_of_mass(body.solid)));
+    // From the solid's own tilt, where its density can be had inside; a solid that falls over starts at none,
+    // where its problem is still convex.
+    const auto [light, heavy] = std::minmax(body.interior_density, body.void_density);
+    const bool attainable = light <= body.density && body.density <= heavy;
+    const double tau = attainable ? std::max(0.0, base.tangent(centre_of_mass(body.solid))) : 0.0;
     return std::make_unique<MaxTilt>(std::move(base), tau);
   }
   if (target == "centre") return std::make_unique<Stand>(std::move(base), std::nullopt);

@@ -37,12 +37,17 @@ class Stand final : public Problem {
   [[nodiscard]] Matrix10 hessian(const Moments& s) const override;
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
   [[nodiscard]] std::optional<Ratio> ratio() const override;
+  /// The point that the centre of mass is to be over; nothing where anywhere inside the base will do.
+  [[nodiscard]] std::optional<Eigen::Vector2d> over() const {
+    return margin_ ? std::nullopt : std::optional(base_.polygon.centroid);
+  }
 
   /// Stands when the centre of mass is inside the base, seen from above.
   [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override;
 
  private:
   Base base_;
+  std::optional<double> margin_;
   LinearConstraints constraints_;
 };
 

@@ -31,7 +31,7 @@ std::unique_ptr<Problem> Turned::next(const Moments& s) const {
 }
 
 std::string Turned::scope(const MassModel& mass) const {
-  return inner_->scope({map_ * mass.fixed, mass.contrast});
+  return inner_->scope({map_ * mass.fixed, mass.contrast, map_ * mass.interior});
 }
 
 }  // namespace kreisel

@@ -202,6 +202,10 @@ Group Group::group(const std::string& name) const {
 
 bool Group::has(const std::string& attribute) const { return H5Aexists(handle_.id(), attribute.c_str()) > 0; }
 
+bool Group::contains(const std::string& name) const {
+  return H5Lexists(handle_.id(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
 std::vector<std::string> Group::attributes() const {
   std::vector<std::string> names;
   const auto take = [](hid_t, const char* name, const H5A_info_t*, void* data) -> herr_t {

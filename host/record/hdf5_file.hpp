@@ -78,6 +78,8 @@ class Group {
   [[nodiscard]] Group group(const std::string& name) const;
 
   [[nodiscard]] bool has(const std::string& attribute) const;
+  /// Whether there is a dataset or group of that name.
+  [[nodiscard]] bool contains(const std::string& name) const;
   [[nodiscard]] std::vector<std::string> attributes() const;
   [[nodiscard]] std::string text(const std::string& attribute) const;
   [[nodiscard]] std::int64_t integer(const std::string& attribute) const;

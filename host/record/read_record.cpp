@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "error.hpp"
 #include "record/hdf5_file.hpp"
@@ -72,6 +73,29 @@ void read_solve(const Group& group, RecordSummary& summary, const std::string& n
   summary.median = median.front();
 }
 
+void read_part(const hdf5::File& file, RecordSummary& summary, const std::string& name) {
+  const Group rounding = file.group("rounding");
+  summary.rounded_objective = rounding.real("objective");
+  summary.rounded_violation = rounding.real("violation");
+  summary.mended_voxels = static_cast<std::size_t>(rounding.integer("mended_voxels"));
+  if (rounding.has("moved_voxels"))
+    summary.moved_voxels = static_cast<std::size_t>(rounding.integer("moved_voxels"));
+  const Group verified = file.group("verified");
+  if (verified.has("voids")) {  // early records have none of these
+    summary.voids = static_cast<std::size_t>(verified.integer("voids"));
+    summary.islands = static_cast<std::size_t>(verified.integer("islands"));
+    summary.cuts = static_cast<std::size_t>(verified.integer("cuts"));
+    const std::vector<double> volumes = file.group("voids").read("pieces").values;
+    summary.voids_mm3 = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+    summary.largest_void_mm3 = volumes.empty() ? 0 : volumes.front();
+  }
+  summary.written = moments_of(verified, "moments", name);
+  summary.verified_ok = verified.integer("ok") != 0;
+  summary.verified_text = verified.text("text");
+  const Group values = verified.group("values");
+  for (const std::string& value : values.attributes()) summary.verified_values[value] = values.real(value);
+}
+
 }  // namespace
 
 RecordSummary read_record(const std::filesystem::path& path) {
@@ -112,16 +136,11 @@ RecordSummary read_record(const std::filesystem::path& path) {
   summary.solid = moments_of(body, "solid", name);
   read_solve(file.group("solve"), summary, name);
   summary.optimum = moments_of(file.group("solve"), "moments", name);
-  const Group rounding = file.group("rounding");
-  summary.rounded_objective = rounding.real("objective");
-  summary.rounded_violation = rounding.real("violation");
-  summary.mended_voxels = static_cast<std::size_t>(rounding.integer("mended_voxels"));
-  if (rounding.has("moved_voxels"))
-    summary.moved_voxels = static_cast<std::size_t>(rounding.integer("moved_voxels"));
-  const Group verified = file.group("verified");
-  summary.written = moments_of(verified, "moments", name);
-  summary.verified_ok = verified.integer("ok") != 0;
-  summary.verified_text = verified.text("text");
+  summary.has_part = !file.has("no_part");
+  if (summary.has_part)
+    read_part(file, summary, name);
+  else
+    summary.verified_text = file.text("no_part");
   return summary;
 }
 

@@ -15,6 +15,9 @@ namespace kreisel {
 
 inline constexpr int record_schema_version = 1;
 
+/// In place of a verdict where the run ended with the solve.
+inline constexpr const char* no_part = "none made, none verified: part = none";
+
 /// Writes the whole run: temporary name in the same folder, then renamed. Creates the folder.
 /// @throws InputError  the folder cannot be written
 void write_record(const std::filesystem::path& path, const RunResult& result);
@@ -42,8 +45,12 @@ struct RecordSummary {
   std::string domain;                ///< columns or exact
   double rounded_objective = 0, rounded_violation = 0;
   std::size_t mended_voxels = 0, moved_voxels = 0;
+  bool has_part = true;  ///< without one, `verified_text` says why, and nothing is rounded or written
+  std::size_t voids = 0, islands = 0, cuts = 0;  ///< pieces of the void, loose in it, planes that open all
   bool verified_ok = false;
   std::string verified_text;
+  std::map<std::string, double> verified_values;  ///< the numbers behind it
+  double voids_mm3 = 0, largest_void_mm3 = 0;
   double length_mm = 1, mass_unit_grams = 1;  ///< one body unit in model units
   double solid_objective = 0;
   /// Totals in body frame and units: nothing hollowed, at the optimum, of the written file.

@@ -19,10 +19,13 @@ json to_json(const Seconds& s) {
   return {{"setup", s.setup}, {"kernels", s.kernels}, {"solve", s.solve}, {"total", s.total}};
 }
 
-/// The problem's settings; lambda and the gammas of `spin` as set, else their defaults.
+/// The problem's settings; those that say what f is as set, else their defaults.
 json weights(const RunConfig& config) {
-  json all = config.problem == "spin" ? json{{"lambda", 0.0}, {"gamma_i", 1.0}} : json::object();
-  for (const auto& [name, text] : settings_of(config, "problem")) {
+  json all = json::object();
+  ProblemSettings settings = settings_of(config, "problem");
+  const ProblemSettings& defaults = find_problem(config.problem).weights;
+  settings.insert(defaults.begin(), defaults.end());
+  for (const auto& [name, text] : settings) {
     if (const auto value = parse<double>(text))
       all[name] = *value;
     else
@@ -64,6 +67,13 @@ json rounding(const RoundingCost& cost) {
           {"mended_voxels", cost.mended_voxels}, {"moved_voxels", cost.moved_voxels}};
 }
 
+json cuts(const Voids& voids) {
+  json all = json::array();
+  for (const Cut& c : voids.cuts)
+    all.push_back({{"normal", list(c.normal)}, {"offset", c.offset}, {"opens", c.opens}});
+  return all;
+}
+
 /// The problem's own values stand beside ours; ours win should the names ever meet.
 json verified(const Verified& v) {
   json all = json::object();
@@ -75,6 +85,13 @@ json verified(const Verified& v) {
   all["rounding_mismatch"] = v.rounding_mismatch;
   all["triangles"] = v.triangles;
   all["void_triangles"] = v.void_triangles;
+  all["materials"] = json::array();
+  for (const WrittenMaterial& m : v.materials)
+    all["materials"].push_back({{"name", m.name},
+                                {"density", m.density},
+                                {"mass_g", m.grams},
+                                {"file", m.file.string()},
+                                {"triangles", m.triangles}});
   return all;
 }
 
@@ -94,6 +111,7 @@ json plain(const json& value) {
 
 json to_json(const RunResult& r) {
   const Outcome& o = r.outcome;
+  const bool part = r.config.part != Part::none;
   json samples = json::array();
   for (const Seconds& s : r.samples) samples.push_back(to_json(s));
   return plain({
@@ -117,7 +135,7 @@ json to_json(const RunResult& r) {
       {"constraint_violation", o.violation},
       {"dual_infeasibility", o.dual_infeasibility},
       {"complementarity", o.complementarity},
-      {"moments", list(r.model_moments(r.rounding.moments))},
+      {"moments", list(r.model_moments(part ? r.rounding.moments : o.moments))},
       {"moments_optimum", list(r.model_moments(o.moments))},
       {"moments_order", moment_names},
       {"moments_frame",
@@ -137,14 +155,20 @@ json to_json(const RunResult& r) {
       {"wall", r.wall * r.length_mm},
       {"wall_setting", to_string(r.config.wall)},
       {"density", r.density},
+      {"interior_density", r.interior_density},
+      {"void_density", r.void_density},
       {"solid_mass_g", r.solid_mass_grams},
       {"bound", r.certificate ? json(r.certificate->bound) : json()},
       {"gap", r.certificate ? json(r.gap()) : json()},
       {"certificate", r.certificate ? json(to_string(r.certificate->kind)) : json()},
       {"boxes", r.certificate ? json(r.certificate->boxes.size()) : json()},
       {"certify_seconds", r.certificate ? json(r.certificate->seconds) : json()},
-      {"rounding", rounding(r.rounding)},
-      {"verified", verified(r.verified)},
+      {"rounding", part ? rounding(r.rounding) : json()},
+      {"voids", part ? json(r.voids.pieces) : json()},
+      {"islands", part ? json(r.voids.islands) : json()},
+      {"cuts", part ? cuts(r.voids) : json()},
+      {"verified", part ? verified(r.verified) : json()},
+      {"no_part", part ? json() : json(no_part)},
       {"evaluations", evaluations(o.evaluations)},
       {"config", describe(r.config)},
       {"device", r.provenance.device},

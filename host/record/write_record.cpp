@@ -47,6 +47,8 @@ void write_body(Group group, const RunResult& r) {
   group.set("name", r.body_name);
   group.set("repairs", fmt::format("{}", fmt::join(r.repairs, "\n")));
   group.set("density", r.density);
+  group.set("interior_density", r.interior_density);
+  group.set("void_density", r.void_density);
   group.set("density_units", "g/cm^3");
   group.set("solid_mass", r.solid_mass_grams);
   group.set("solid_mass_units", "g");
@@ -151,14 +153,34 @@ void write_rounding(Group group, const RoundingCost& cost) {
   write_moments(group, "moments", cost.moments);
 }
 
-void write_verified(Group group, const Verified& v) {
+void write_voids(Group group, const Voids& voids) {
+  group.write("pieces", voids.pieces, {voids.pieces.size()}, {"mm^3", {}});
+  group.write("islands", voids.islands, {voids.islands.size()}, {"mm^3", {}});
+  std::vector<double> cuts;
+  for (const Cut& c : voids.cuts)
+    cuts.insert(cuts.end(), {c.normal[0], c.normal[1], c.normal[2], c.offset, double(c.opens)});
+  group.write("cuts", cuts, {voids.cuts.size(), 5}, {"1, mm", {"nx", "ny", "nz", "offset", "opens"}});
+}
+
+void write_verified(Group group, const Verified& v, const Voids& voids) {
   group.set("ok", v.verdict.ok);
   group.set("text", v.verdict.text);
   group.set("file", v.file);
   group.set("rounding_mismatch", v.rounding_mismatch);
   group.set("triangles", v.triangles);
   group.set("void_triangles", v.void_triangles);
+  group.set("voids", voids.pieces.size());
+  group.set("islands", voids.islands.size());
+  group.set("cuts", voids.cuts.size());
   write_moments(group, "moments", v.moments);
+  Group materials = group.new_group("materials");
+  for (const WrittenMaterial& m : v.materials) {
+    Group material = materials.new_group(m.name);
+    material.set("density", m.density);
+    material.set("mass", m.grams);
+    material.set("file", m.file.string());
+    material.set("triangles", m.triangles);
+  }
   Group values = group.new_group("values");  // apart: a problem chooses these names
   for (const auto& [name, value] : v.verdict.values) values.set(name, value);
 }
@@ -185,8 +207,13 @@ void write_record(const std::filesystem::path& path, const RunResult& r) {
     write_body(file.new_group("body"), r);
     write_domain(file.new_group("domain"), r);
     write_solve(file.new_group("solve"), r);
-    write_rounding(file.new_group("rounding"), r.rounding);
-    write_verified(file.new_group("verified"), r.verified);
+    if (r.config.part == Part::none) {
+      file.set("no_part", no_part);
+    } else {
+      write_rounding(file.new_group("rounding"), r.rounding);
+      write_voids(file.new_group("voids"), r.voids);
+      write_verified(file.new_group("verified"), r.verified, r.voids);
+    }
     if (r.certificate) {
       file.set("bound", r.certificate->bound);
       file.set("gap", r.gap());

@@ -77,6 +77,14 @@ bool is_setting(std::string_view key) {
   return false;
 }
 
+MapConfig& map_of(RunConfig& config) {
+  if (!config.map) {
+    config.map.emplace();
+    config.formulation = "quadric";
+  }
+  return *config.map;
+}
+
 using Setter = std::function<void(RunConfig&, std::string_view key, std::string_view value)>;
 
 const std::map<std::string_view, Setter>& setters() {
@@ -90,7 +98,11 @@ const std::map<std::string_view, Setter>& setters() {
       {"unit", [](C c, S, S v) { c.body.unit = find_length_unit(v); }},
       {"size", [](C c, S k, S v) { c.body.size = number(k, v); }},
       {"density", [](C c, S k, S v) { c.body.density = number(k, v); }},
+      {"interior-density", [](C c, S k, S v) { c.body.interior_density = number(k, v); }},
       {"void-density", [](C c, S k, S v) { c.body.void_density = number(k, v); }},
+      {"axle", [](C c, S k, S v) { c.body.axle.radius = number(k, v); }},
+      {"slot", [](C c, S k, S v) { c.body.axle.slot = number(k, v); }},
+      {"axle-depth", [](C c, S k, S v) { c.body.axle.depth = number(k, v); }},
       {"fineness", [](C c, S k, S v) { c.body.fineness = whole(k, v, 1); }},
       // A name that nobody knows is told where it is written, not when its turn comes.
       {"problem", [](C c, S, S v) { c.problem = find_problem(v).name; }},
@@ -108,10 +120,26 @@ const std::map<std::string_view, Setter>& setters() {
        }},
       {"resolution", [](C c, S k, S v) { c.grid = grid(k, v); }},
       {"wall", [](C c, S, S v) { c.wall = parse_wall(std::string(v)); }},
+      {"axes", [](C c, S k, S v) { map_of(c).axes = whole(k, v, 1); }},
+      {"through",
+       [](C c, S k, S v) {
+         if (v != "lowest" && v != "centre") refuse(k, v, "lowest or centre");
+         map_of(c).through = v == "centre" ? Through::centre : Through::lowest;
+       }},
+      {"drafts",
+       [](C c, S, S v) {
+         const auto parts = split(v, ',');
+         map_of(c).drafts = {parts.begin(), parts.end()};
+       }},
       {"rounding",
        [](C c, S k, S v) {
          if (v != "nearest" && v != "fitted") refuse(k, v, "nearest or fitted");
          c.rounding = v == "nearest" ? Rounding::nearest : Rounding::fitted;
+       }},
+      {"part",
+       [](C c, S k, S v) {
+         if (v != "none" && v != "written") refuse(k, v, "none or written");
+         c.part = v == "none" ? Part::none : Part::written;
        }},
       {"device", [](C c, S, S v) { c.device = v; }},
       {"precision",
@@ -197,14 +225,25 @@ std::map<std::string, std::string> describe(const RunConfig& config) {
   fields["resolution"] = text_of(config.grid);
   fields["wall"] = to_string(config.wall);
   fields["density"] = fmt::format("{}", config.body.density);
+  if (config.body.interior_density)
+    fields["interior-density"] = fmt::format("{}", *config.body.interior_density);
   if (config.body.void_density != 0) fields["void-density"] = fmt::format("{}", config.body.void_density);
   if (config.body.axis) fields["axis"] = text_of(*config.body.axis);
   if (config.body.up) fields["up"] = text_of(*config.body.up);
   if (config.body.contact) fields["contact"] = text_of(*config.body.contact);
   if (config.body.unit) fields["unit"] = config.body.unit->name;
   if (config.body.size) fields["size"] = fmt::format("{}", *config.body.size);
+  if (config.body.axle.radius) fields["axle"] = fmt::format("{}", *config.body.axle.radius);
+  if (config.body.axle.slot) fields["slot"] = fmt::format("{}", *config.body.axle.slot);
+  if (config.body.axle.depth) fields["axle-depth"] = fmt::format("{}", *config.body.axle.depth);
   if (config.body.fineness) fields["fineness"] = std::to_string(config.body.fineness);
   if (config.rounding == Rounding::nearest) fields["rounding"] = "nearest";
+  if (config.part == Part::none) fields["part"] = "none";
+  if (config.map) {
+    fields["axes"] = std::to_string(config.map->axes);
+    fields["through"] = config.map->through == Through::centre ? "centre" : "lowest";
+    if (!config.map->drafts.empty()) fields["drafts"] = fmt::format("{}", fmt::join(config.map->drafts, ","));
+  }
   if (!config.device.empty()) fields["device"] = config.device;
   if (config.single_precision) fields["precision"] = "single";
   if (config.certify > 0) fields["certify"] = fmt::format("{}", config.certify);
@@ -213,8 +252,9 @@ std::map<std::string, std::string> describe(const RunConfig& config) {
 
 std::string run_name(const RunConfig& config) {
   const auto fields = describe(config);
-  return fmt::format("{}-{}-{}-{}-{}-{:08x}", std::filesystem::path(config.body.model).stem().string(),
-                     fields.at("resolution"), config.problem, config.formulation, solver_of(config),
+  const std::string way = config.map ? "map" : config.formulation + "-" + solver_of(config);
+  return fmt::format("{}-{}-{}-{}-{:08x}", std::filesystem::path(config.body.model).stem().string(),
+                     fields.at("resolution"), config.problem, way,
                      static_cast<std::uint32_t>(hash(fields) ^ hash(fields) >> 32));
 }
 

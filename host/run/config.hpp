@@ -2,8 +2,10 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "body/body.hpp"
 #include "domain/columns.hpp"
@@ -14,6 +16,22 @@ namespace kreisel {
 /// by voxel until the constraints hold.
 enum class Rounding { nearest, fitted };
 
+/// Whether a run goes on to make the part, write it and judge the file, or ends with the solve: on fine grids
+/// the part takes minutes, the solve milliseconds.
+enum class Part { none, written };
+
+/// Where an axis runs through the body: through its lowest point along the axis, on which it then spins; or
+/// through the solid's centre of mass, on a peg as long as it takes to touch the ground at the lowest point's
+/// height.
+enum class Through { lowest, centre };
+
+/// Every orientation instead of one. [docs/map.md]
+struct MapConfig {
+  int axes = 2000;  ///< directions of the sphere
+  Through through = Through::lowest;
+  std::vector<std::string> drafts;  ///< of `float`: a case each, as `problem.draft` takes them
+};
+
 /// One run. Defaults are those of `bench --formulation rayrep`.
 struct RunConfig {
   BodySpec body;
@@ -23,6 +41,7 @@ struct RunConfig {
   GridSpec grid;
   Wall wall;
   Rounding rounding = Rounding::fitted;
+  Part part = Part::written;
   std::string device;             ///< selector, see device.hpp
   bool single_precision = false;  ///< forces the kernels to compensated single precision
   std::map<std::string, std::string>
@@ -30,11 +49,13 @@ struct RunConfig {
   int repeat = 1;              ///< timed solves at most, >= 1
   double budget_seconds = 20;  ///< no further repetition starts once this is spent
   double certify = 0;          ///< relative gap to prove between result and bound; 0: no certificate
+  std::optional<MapConfig> map;  ///< the run is a map of orientations, by quadric and moment, not a solve
 };
 
 /// Sets one field from text, as the command line and TOML files name them: model, problem, formulation,
-/// solver, domain, resolution (N or NXxNYxNZ), wall, axis, contact, up ("x,y,z"), unit, size, density,
-/// void-density, fineness, device, precision, repeat, budget, certify, and GROUP.NAME for settings.
+/// solver, domain, resolution (N or NXxNYxNZ), wall, rounding, part, axis, contact, up ("x,y,z"), unit, size,
+/// density, interior-density, void-density, axle, slot, axle-depth (mm), fineness, device, precision,
+/// repeat, budget, certify, and GROUP.NAME for settings. Any of axes, through and drafts ("20%,40%") makes the run a map.
 ///
 /// @throws InputError  unknown key or unfit value; names both and what was expected
 void set_field(RunConfig& config, std::string_view key, std::string_view value);
@@ -55,7 +76,7 @@ void set_field(RunConfig& config, std::string_view key, std::string_view value);
 [[nodiscard]] std::map<std::string, std::string> describe(const RunConfig& config);
 
 /// Stable file stem of a run: readable parts and a hash of describe(), e.g.
-/// "ellipsoid-80x52x51-spin-rayrep-ipopt-1a2b3c4d".
+/// "ellipsoid-80x52x51-spin-rayrep-ipopt-1a2b3c4d", or "bunny-100-spin-map-1a2b3c4d".
 [[nodiscard]] std::string run_name(const RunConfig& config);
 
 }  // namespace kreisel

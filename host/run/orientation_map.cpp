@@ -102,6 +102,17 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
+MapSpec map_spec(const RunConfig& config) {
+  const MapConfig map = config.map.value_or(MapConfig{});
+  if (config.map && config.formulation != "quadric")
+    throw InputError(
+        fmt::format("a map of orientations by {}; expected formulation quadric", config.formulation));
+  MapSpec spec{config, sphere_directions(map.axes), map.drafts, map.through};
+  spec.config.map = map;
+  if (config.problem == "float" && spec.drafts.empty()) spec.drafts = {"20%", "40%", "60%", "80%"};
+  return spec;
+}
+
 std::vector<Vec3> sphere_directions(int n) {
   if (n < 1) throw InputError(fmt::format("{} axes; expected 1 or more", n));
   const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
@@ -149,6 +160,7 @@ std::string OrientationMap::command(Place place) const {
   RunConfig run = config;
   const bool upright = find_problem(run.problem).upright;
   run.body.axis = run.body.up = run.body.contact = std::nullopt;
+  run.map = std::nullopt;
   if (!cases[place.at_case].empty()) run.settings["problem.draft"] = cases[place.at_case];
   std::string line = "bench";
   for (const auto& [key, value] : describe(run))

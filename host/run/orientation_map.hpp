@@ -13,11 +13,6 @@
 
 namespace kreisel {
 
-/// Where an axis runs through the body: through its lowest point along the axis, on which it then spins; or
-/// through the solid's centre of mass, on a peg as long as it takes to touch the ground at the lowest point's
-/// height.
-enum class Through { lowest, centre };
-
 /// What is asked. Formulation and solver are always `quadric` and `moment`.
 struct MapSpec {
   RunConfig config;        ///< body (its axis and up lay the rays of the one domain), problem, grid, wall
@@ -25,6 +20,11 @@ struct MapSpec {
   std::vector<std::string> drafts;  ///< of `float`: a case each, as `problem.draft` takes them
   Through through = Through::lowest;
 };
+
+/// The map that config.map asks for; of `float` at 20, 40, 60 and 80 % of the height where it names no
+/// drafts.
+/// @throws InputError  it asks for a map by another formulation than quadric
+[[nodiscard]] MapSpec map_spec(const RunConfig& config);
 
 /// n directions, one for about each 4 pi / n of the sphere: equal steps along z, golden angles around it.
 /// [Fibonacci lattice] @throws InputError  n < 1

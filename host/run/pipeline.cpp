@@ -3,19 +3,17 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 #include <utility>
 
-#include "body/mesh_moments.hpp"
 #include "error.hpp"
-#include "fabricate/quadric_cavity.hpp"
 #include "fabricate/verify.hpp"
-#include "fabricate/void_surface.hpp"
 #include "formulation/meet_constraints.hpp"
-#include "mesh/write.hpp"
 #include "run/remedies.hpp"
 #include "run/run_domain.hpp"
 #include "solve/explain.hpp"
@@ -66,45 +64,64 @@ void describe(RunResult& r, const RunDomain& domain) {
   r.interior_voxels = domain.columns->interior_voxels;
 }
 
-RoundingCost cost_of(const Rounded& rounded, std::size_t moved, const MassModel& mass,
-                     const Problem& problem) {
+RoundingCost cost_of(const Rounded& rounded, std::size_t moved, const Task& task, const Body& body) {
+  const Problem& problem = task.problem;
   RoundingCost cost;
-  cost.moments = mass.total(moments(rounded.solid));
+  cost.moments = task.mass.total(moments(rounded.solid));
   cost.objective = problem.value(cost.moments);
   cost.violation = violation(problem, cost.moments);
   cost.solid_voxels = rounded.solid.count_solid();
   cost.void_voxels = rounded.solid.size() - cost.solid_voxels;
+  if (body.heavy_voids()) std::swap(cost.solid_voxels, cost.void_voxels);
   cost.mended_voxels = rounded.mended;
   cost.moved_voxels = moved;
   return cost;
 }
 
-/// Removes a file when it goes out of scope; an empty path is left alone.
+/// Removes a folder when it goes out of scope; an empty path is left alone.
 struct Temporary {
   std::filesystem::path path;
   ~Temporary() {
     std::error_code ignored;
-    if (!path.empty()) std::filesystem::remove(path, ignored);
+    if (!path.empty()) std::filesystem::remove_all(path, ignored);
   }
 };
 
-Verified write_and_verify(const RunOutput& output, const Body& body, const Problem& problem,
-                          const std::string& file) {
+/// The voids of the part as it is written, opened across the model's own axes or the solid's principal ones.
+Voids voids_of(const RunOutput& output, const Body& body) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia_about_centre(body.solid));
+  std::vector<Vec3> directions = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  for (int k = 0; k < 3; ++k)
+    directions.emplace_back(body.frame.rotation.transpose() * principal.eigenvectors().col(k));
+  return find_voids({output.outer, output.cavity}, directions);
+}
+
+std::string warning_of(const std::vector<double>& islands) {
+  const bool one = islands.size() == 1;
+  return fmt::format("; but {} of {:.3g} mm^3 {} loose in the voids",
+                     one ? "a piece" : fmt::format("{} pieces", islands.size()),
+                     std::accumulate(islands.begin(), islands.end(), 0.0), one ? "lies" : "lie");
+}
+
+Verified write_and_verify(const RunResult& r, const std::vector<MaterialPart>& parts, const Body& body,
+                          const Problem& problem, const std::string& file) {
   const Temporary temporary{
-      file.empty() ? std::filesystem::temp_directory_path() / fmt::format("kreisel-{}.stl", ::getpid()) : ""};
-  const std::filesystem::path path = file.empty() ? temporary.path : std::filesystem::path(file);
-  std::vector<TriangleMesh> parts = {output.outer};
-  if (!output.cavity.triangles.empty()) parts.push_back(output.cavity);
-  write_mesh(path, parts);
-  const WrittenPart part = verify_file(path, body, problem);
+      file.empty() ? std::filesystem::temp_directory_path() / fmt::format("kreisel-{}", ::getpid()) : ""};
+  const std::filesystem::path path = file.empty() ? temporary.path / "part.stl" : std::filesystem::path(file);
+  const WrittenPart part = verify_written(write_parts(path, parts), body, problem);
 
   Verified verified;
   verified.verdict = part.verdict;
+  if (!r.voids.islands.empty() && body.void_density == 0)
+    verified.verdict.text += warning_of(r.voids.islands);
   verified.file = file;
   verified.moments = part.moments;
-  verified.triangles = part.triangles;
-  verified.void_triangles = output.cavity.triangles.size();
-  verified.rounding_mismatch = (part.moments - output.result.rounding.moments).cwiseAbs().maxCoeff();
+  verified.materials = part.materials;
+  for (WrittenMaterial& material : verified.materials) {
+    verified.triangles += material.triangles;
+    if (file.empty()) material.file.clear();
+  }
+  verified.rounding_mismatch = (part.moments - r.rounding.moments).cwiseAbs().maxCoeff();
   return verified;
 }
 
@@ -125,19 +142,19 @@ void add_certificate(RunResult& r, const Task& task, const Rays& domain, const S
   r.outcome = std::move(again);
 }
 
-/// Rounds the optimum to whole voxels. @return  the void's surface, body units
-TriangleMesh round_to_voxels(RunResult& r, const Task& task, bool fit) {
+/// Rounds the optimum to whole voxels.
+Inside round_to_voxels(RunResult& r, const Task& task, const Body& body, bool fit) {
   Rounded rounded = task.formulation.round(r.outcome.x);
   const std::size_t moved = fit ? meet_constraints(rounded.solid, task.problem, task.mass) : 0;
-  r.rounding = cost_of(rounded, moved, task.mass, task.problem);
-  return void_surface(rounded.solid);
+  r.rounding = cost_of(rounded, moved, task, body);
+  return inside_of(body, rounded.solid);
 }
 
-/// Meshes the void that the optimal quadric leaves. A mesh and a sum over rays sample the same shape
-/// differently; to fit, what they differ by is added to what is fixed and the problem solved again, until the
-/// mesh itself meets the constraints. @return  the void's surface, body units
-TriangleMesh mesh_cavity(RunResult& r, const Task& task, const Body& body, const SolverEntry& solver,
-                         const SolverOptions& options, bool fit) {
+/// Meshes what the optimal quadric leaves. A mesh and a sum over rays sample the same shape differently; to
+/// fit, what they differ by is added to what is fixed and the problem solved again, until the mesh itself
+/// meets the constraints.
+Inside mesh_inside(RunResult& r, const Task& task, const Body& body, const SolverEntry& solver,
+                   const SolverOptions& options, bool fit) {
   // The facets stay within a few hundredths of the wall (quadric_cavity.hpp).
   const double cell = std::min(r.grid.h, r.wall / 2);
   constexpr double met = 1e-6;  // a thousandth of what a verdict asks for
@@ -145,19 +162,18 @@ TriangleMesh mesh_cavity(RunResult& r, const Task& task, const Body& body, const
   MassModel seen = task.mass;  // the mesh's moments in place of the rays'
   std::vector<double> x = r.outcome.x;
   for (int corrections = 0;; ++corrections) {
-    TriangleMesh cavity = quadric_cavity(body, r.wall, Moments(x.data()), cell);
-    // Its normals point into the void, so its volume counts as less than nothing.
-    const Moments whole = body.solid + task.mass.contrast * reference::mesh_moments(cavity).value;
+    Inside inside = inside_of(body, r.wall, Moments(x.data()), cell);
+    const Moments whole = moments_of(body, inside);
     r.rounding = {};
     r.rounding.moments = whole;
     r.rounding.objective = task.problem.value(whole);
     r.rounding.violation = violation(task.problem, whole);
     r.rounding.corrections = corrections;
-    if (!fit || r.rounding.violation <= met || corrections == most_corrections) return cavity;
+    if (!fit || r.rounding.violation <= met || corrections == most_corrections) return inside;
     stop_if_interrupted();
     seen.fixed += whole - seen.total(task.formulation.moments(x));
     const Outcome again = solve(solver, {task.problem, task.formulation, seen, task.device}, options);
-    if (again.termination != Termination::optimal) return cavity;
+    if (again.termination != Termination::optimal) return inside;
     x = again.x;
   }
 }
@@ -172,7 +188,11 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   const ProblemEntry& asked = find_problem(config.problem);
   const FormulationEntry& way = find_formulation(config.formulation);
   (void)domain_of(config);
+  if (config.part == Part::none && !mesh_file.empty())
+    throw InputError(
+        fmt::format("part = none with the mesh {}; expected no mesh, or part = written", mesh_file));
   const SolverEntry& solver = find_solver(solver_of(config), way.name);
+  require_problem(solver, asked.name);
   SolverOptions options = parse_solver_options(settings_of(config, "solver"));
   options.own = settings_of(config, solver.name);
   device::Device device(config.device,
@@ -182,9 +202,11 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   const Stopwatch setup;
   BodySpec spec = config.body;
   spec.stands_upright = asked.upright;
+  spec.centred = asked.centred;
   const Body body = make_body(spec, device);
   stop_if_interrupted();
   const std::unique_ptr<Problem> problem = asked.make(settings_of(config, "problem"), body);
+  require_form(solver, *problem);
   const RunDomain domain(config, body);
   stop_if_interrupted();
   const MassModel mass = hollowed(body, domain.interior());
@@ -206,8 +228,11 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   r.axis = body.axis;
   r.contact = body.contact;
   r.density = body.density;
+  r.interior_density = body.interior_density;
+  r.void_density = body.void_density;
   r.length_mm = body.frame.length;
-  r.mass_unit_grams = r.solid_mass_grams = body.mass_grams();
+  r.mass_unit_grams = body.mass_grams();
+  r.solid_mass_grams = body.axle ? body.solid[S1] * r.mass_unit_grams : r.mass_unit_grams;
   r.solid = body.solid;
   r.fixed = mass.fixed;
   describe(r, domain);
@@ -239,14 +264,18 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
     stop_if_interrupted();
   }
 
+  output.outer = body.mesh;
+  if (config.part == Part::none) return output;
   tell("round, extract, verify");
   // What cannot be met at all need not be fitted.
   const bool fit = config.rounding == Rounding::fitted && r.outcome.termination != Termination::infeasible;
   const Task task{*problem, *formulation, mass, device};
-  output.outer = body.mesh;
-  output.cavity = to_model(body.frame, domain.exact ? mesh_cavity(r, task, body, solver, options, fit)
-                                                    : round_to_voxels(r, task, fit));
-  r.verified = write_and_verify(output, body, *problem, mesh_file);
+  const Inside inside =
+      domain.exact ? mesh_inside(r, task, body, solver, options, fit) : round_to_voxels(r, task, body, fit);
+  output.cavity = to_model(body.frame, inside.voids);
+  r.voids = voids_of(output, body);
+  r.verified = write_and_verify(r, parts_of(body, inside), body, *problem, mesh_file);
+  r.verified.void_triangles = inside.voids.triangles.size();
   return output;
 }
 

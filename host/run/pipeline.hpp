@@ -14,13 +14,15 @@ using Progress = std::function<void(const std::string& step)>;
 
 struct RunOutput {
   RunResult result;
-  TriangleMesh outer, cavity;  ///< the part as written: model coordinates, mm
+  /// Of the part, and of its voids: model coordinates, mm. No cavity where part = none.
+  TriangleMesh outer, cavity;
 };
 
-/// Body -> domain -> formulation -> solver (repeated) -> round -> void surface -> written file -> verdict.
+/// Body -> domain -> formulation -> solver (repeated) -> round -> void surface -> written file -> verdict;
+/// with part = none it ends after the solver.
 ///
 /// @param mesh_file  where the part is written (STL, replaced as a whole); empty: a temporary file, removed
-/// @throws InputError   bad configuration or mesh
+/// @throws InputError   bad configuration or mesh; a mesh_file with part = none
 /// @throws Interrupted  before there was a result; nothing is written
 /// @throws MemoryError  the solver has too little
 RunOutput run(const RunConfig& config, const std::string& mesh_file = {}, const Progress& progress = {});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -16,6 +17,21 @@
 
 namespace kreisel {
 namespace {
+
+constexpr double tungsten = 19.3, foam = 0.02;  // g/cm^3: denser is not to be had, nor much lighter
+
+/// What may be of another density.
+struct Material {
+  double Body::*density;
+  const char *name, *option;
+  double least;  ///< g/cm^3
+};
+
+/// To the three digits that are printed, by std::floor or std::ceil, so that what is said to fit does.
+double cut(double value, double (*to_whole)(double)) {
+  const double unit = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-300))) - 2);
+  return unit * to_whole(value / unit);
+}
 
 using Fits = std::function<bool(double)>;
 
@@ -85,25 +101,40 @@ std::string what_would_help(const RunConfig& config, const Body& body, const Pro
   const auto exact = trials.domain(wall);
   if (!exact) return help.empty() ? "there is no interior" : help.front();
   const std::unique_ptr<Formulation> quadric = make_quadric(rays_of(*exact), {}, device);
-  if (body.void_density > 0) {
-    tell("try lighter voids");
-    const auto density = nearest_that_fits(body.void_density, 0, [&](double d) {
-      Body lighter = body;
-      lighter.void_density = d;
-      return trials.feasible(*quadric, hollowed(lighter, exact->interior));
-    });
+  const auto fits_with = [&](double Body::*density, double value) {
+    Body other = body;
+    other.*density = value;
+    return trials.feasible(*quadric, hollowed(other, exact->interior));
+  };
+  // A wider range of densities reaches all that a narrower one does.
+  const Material voids{&Body::void_density, "voids", "void", 0},
+      interior{&Body::interior_density, "an interior", "interior", foam};
+  const Material &light = body.heavy_voids() ? interior : voids,
+                 &heavy = body.heavy_voids() ? voids : interior;
+  if (body.*light.density > light.least) {
+    tell(fmt::format("try {} of less density", light.name));
+    const auto density = nearest_that_fits(body.*light.density, light.least,
+                                           [&](double d) { return fits_with(light.density, d); });
     if (density)
-      help.push_back(fmt::format("voids of {:.3g} g/cm^3 or less (now {:.3g})", *density, body.void_density));
+      help.push_back(fmt::format("{} of {:.3g} g/cm^3 or less (now {:.3g}; --{}-density)", light.name,
+                                 cut(*density, std::floor), body.*light.density, light.option));
   }
-  tell("try heavier interiors");
-  constexpr double tungsten = 19.3;  // g/cm^3: denser is not to be had
-  const auto density = nearest_that_fits(body.density, tungsten, [&](double d) {
-    return trials.feasible(*quadric, {body.solid, d / body.density - 1});
-  });
+  tell(fmt::format("try {} of more density", heavy.name));
+  const auto density =
+      nearest_that_fits(body.*heavy.density, tungsten, [&](double d) { return fits_with(heavy.density, d); });
   if (density)
-    help.push_back(
-        fmt::format("in place of voids, parts of the interior of {:.3g} g/cm^3 or more (the rest {:.3g})",
-                    *density, body.density));
+    help.push_back(fmt::format("{} of {:.3g} g/cm^3 or more (now {:.3g}; --{}-density)", heavy.name,
+                               cut(*density, std::ceil), body.*heavy.density, heavy.option));
+  if (!body.heavy_voids()) {
+    tell("try heavy fillings");
+    const auto filling = nearest_that_fits(body.interior_density, tungsten,
+                                           [&](double d) { return fits_with(&Body::void_density, d); });
+    if (filling)
+      help.push_back(
+          fmt::format("in place of voids, parts of the interior of {:.3g} g/cm^3 or more (the rest "
+                      "{:.3g}; --void-density)",
+                      cut(*filling, std::ceil), body.interior_density));
+  }
   if (help.empty())
     return fmt::format(
         "nothing that was tried (walls down to {:.2g} mm, voids, interiors of up to {:.3g} g/cm^3): "

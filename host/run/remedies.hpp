@@ -10,8 +10,9 @@ namespace kreisel {
 
 class Problem;
 
-/// Tries, one at a time and all else as it is: a thinner wall, lighter voids, and instead of voids an
-/// interior of a heavier material; each to about a percent, by bisection on whether the moment solver finds a
+/// Tries, one at a time and all else as it is: a thinner wall; voids (or, where those are the heavier, an
+/// interior) of less density; an interior (or filling) of more; and parts of the interior of a heavier
+/// material in place of voids; each to about a percent, by bisection on whether the moment solver finds a
 /// filling of the exact domain that meets the constraints. One sentence, which says so where none of them
 /// helps.
 [[nodiscard]] std::string what_would_help(const RunConfig& config, const Body& body, const Problem& problem,

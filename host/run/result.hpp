@@ -7,6 +7,8 @@
 
 #include "body/frame.hpp"
 #include "domain/exact.hpp"
+#include "fabricate/verify.hpp"
+#include "fabricate/voids.hpp"
 #include "run/config.hpp"
 #include "run/provenance.hpp"
 #include "solve/certificate.hpp"
@@ -36,7 +38,8 @@ struct Verified {
   Moments moments = Moments::Zero();  ///< of that file, body frame and units
   double rounding_mismatch =
       0;  ///< largest |difference| to RoundingCost::moments: must be round-off of the file
-  std::size_t triangles = 0, void_triangles = 0;
+  std::size_t triangles = 0, void_triangles = 0;  ///< of all files; of the voids' boundary
+  std::vector<WrittenMaterial> materials;         ///< one or more; files empty when temporary
 };
 
 /// One finished run.
@@ -49,7 +52,7 @@ struct RunResult {
   std::vector<std::string> repairs;  ///< what was mended in the mesh file
   Frame frame;
   Vec3 axis = Vec3::UnitZ(), contact = Vec3::Zero();
-  double density = 1;
+  double density = 1, interior_density = 1, void_density = 0;
   double solid_mass_grams = 0, length_mm = 1, mass_unit_grams = 1;
   Moments solid = Moments::Zero();     ///< body units
   Moments fixed = Moments::Zero();     ///< shell, body units
@@ -71,7 +74,8 @@ struct RunResult {
   std::optional<Certificate> certificate;  ///< when asked for
   std::vector<Seconds> samples;            ///< every timed solve
   Seconds median;                          ///< of each column of samples
-  RoundingCost rounding;
+  RoundingCost rounding;                   ///< like `voids` and `verified` empty where config.part is none
+  Voids voids;                             ///< of the written part: model coordinates, mm
   Verified verified;
 
   /// How far the objective may be above the least there is, as a share of it; infinite where nothing was

@@ -39,8 +39,9 @@ Subject subject_of_mesh(const RunConfig& config, device::Device& device) {
   const double scale = bounding_box(body.mesh).extent().maxCoeff() / bounding_box(whole).extent().maxCoeff();
   for (Vec3& v : whole.vertices) v *= scale;
   const Moments material = reference::mesh_moments(to_body(body.frame, std::move(whole))).value;
+  const Moments voids = body.solid - body.added - material;
   subject.part =
-      subject.hollow ? Moments(material + body.void_share() * (body.solid - material)) : body.solid;
+      subject.hollow ? Moments(body.solid - (1 - body.void_density / body.density) * voids) : body.solid;
   return subject;
 }
 

@@ -76,6 +76,10 @@ std::string_view to_string(Certificate::Kind kind) {
       return "ratio";
     case Certificate::Kind::spin:
       return "spin";
+    case Certificate::Kind::yoyo:
+      return "yoyo";
+    case Certificate::Kind::top:
+      return "top";
     case Certificate::Kind::infeasible:
       break;
   }
@@ -121,10 +125,15 @@ Certificate certify(const Problem& problem, const Rays& domain, const MassModel&
   if (c.kind == Certificate::Kind::infeasible) {
     c.reached = true;
     c.message = "no interior meets the constraints";
-  } else if (const auto* spin = dynamic_cast<const Spin*>(&problem)) {
-    c.kind = Certificate::Kind::spin;
-    c.spin = spin->options();
-    certify_spin(c, *spin, task, support, outcome, options, spent);
+  } else if (const auto* spin = dynamic_cast<const Spinning*>(&problem)) {
+    c.spin = spin->weights();
+    if (spin->centred()) {
+      c.kind = Certificate::Kind::yoyo;
+      certify_centred(c, *spin, task, support, outcome);
+    } else {
+      c.kind = c.spin.moment > 0 ? Certificate::Kind::top : Certificate::Kind::spin;
+      certify_spin(c, *spin, task, support, outcome, options, spent);
+    }
   } else if (ratio) {
     prove_ratio(c, support, outcome, constrained);
   } else if (problem.convexity() == Convexity::linear) {

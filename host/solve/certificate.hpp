@@ -26,18 +26,21 @@ struct Certificate {
   /// linear      h(objective + rows^T multipliers) - bounds . multipliers >= bound
   /// ratio       h(weights^T numerators - bound denominator + rows^T multipliers) >= 0
   /// spin        every box (spin_box.hpp); the least of their values is the bound
+  /// yoyo        the one box of the height 0, likewise
+  /// top         boxes of heights and first moments; the least of their values and of moment sz_most^2
   /// infeasible  h(rows^T multipliers) - bounds . multipliers > 0: nothing meets the rows
-  enum class Kind { linear, ratio, spin, infeasible } kind = Kind::linear;
+  enum class Kind { linear, ratio, spin, yoyo, top, infeasible } kind = Kind::linear;
   double bound = 0;  ///< f >= bound; infinite where infeasible; -infinity where nothing could be proved
   Rows rows;         ///< the constraints that count
   Eigen::VectorXd multipliers;  ///< one a row, >= 0 for inequalities
   Moments objective = Moments::Zero(), denominator = Moments::Zero();
   Eigen::Matrix<double, Eigen::Dynamic, 10> numerators = Eigen::Matrix<double, 0, 10>();
   Eigen::VectorXd weights;          ///< one a numerator, >= 0, of sum 1
-  Moments q = Moments::Zero();      ///< the quadric, but of spin
+  Moments q = Moments::Zero();      ///< the quadric, where there are no boxes
   double separation = 0;            ///< of infeasible: h(q) - bounds . multipliers
-  std::vector<CertifiedBox> boxes;  ///< of spin: upwards, from -infinity to infinity
-  SpinOptions spin;
+  std::vector<CertifiedBox> boxes;  ///< of spin and top: upwards, from -infinity to infinity
+  SpinWeights spin;
+  double sz_most = 0;   ///< of top: where |sz| is larger, f is, without proof
   double contrast = 1;  ///< of the mass model that was bounded
 
   double best = 0;  ///< f of the best interior found on the way, cut by the quadric `best_x`

@@ -14,10 +14,10 @@ class DirectNlp final : public Nlp {
   }
 
   bool get_nlp_info(Index& n, Index& m, Index& jac, Index& hess, IndexStyleEnum& style) override {
-    const std::size_t t = margin() ? 1 : 0;
-    n = static_cast<Index>(n_ + t);
-    m = static_cast<Index>(rows_.size() + own_.lower.size());
-    jac = static_cast<Index>(rows_.size() * (n_ + t) + own_.entries.size());
+    n = static_cast<Index>(n_ + last_count());
+    m = static_cast<Index>(problem_row_count() + own_.lower.size());
+    jac = static_cast<Index>(problem_row_count() * n_ + (margin() ? rows_.size() : 0) +
+                             equation_count() * last_count() + own_.entries.size());
     hess = 0;
     style = C_STYLE;
     return true;
@@ -25,24 +25,22 @@ class DirectNlp final : public Nlp {
 
   bool get_bounds_info(Index, Number* x_l, Number* x_u, Index, Number* g_l, Number* g_u) override {
     fill_bounds(x_l, x_u);
-    if (margin()) {
-      x_l[n_] = -infinity;
-      x_u[n_] = infinity;
-    }
+    last_bounds(x_l + n_, x_u + n_);
     problem_row_bounds(g_l, g_u);
-    own_row_bounds(g_l + rows_.size(), g_u + rows_.size());
+    own_row_bounds(g_l + problem_row_count(), g_u + problem_row_count());
     return true;
   }
 
   bool get_starting_point(Index, bool, Number* x, bool, Number*, Number*, Index, bool, Number*) override {
     std::ranges::copy(start_, x);
-    if (margin()) x[n_] = margin_at(total(x, true));
+    last_start(total(x, true), x + n_);
     return true;
   }
 
   bool eval_f(Index, const Number* x, bool new_x, Number& value) override {
     ++evaluations_.objective;
-    value = margin() ? x[n_] : task_.problem.value(total(x, new_x));
+    const Moments& s = total(x, new_x);
+    value = margin() ? x[n_] : own_form() ? own_form()->value(s, last(x + n_)) : task_.problem.value(s);
     return true;
   }
 
@@ -54,15 +52,24 @@ class DirectNlp final : public Nlp {
       gradient[n_] = 1;
       return true;
     }
-    const Moments weight = task_.mass.contrast * task_.problem.gradient(total(x, new_x));
+    const Moments& s = total(x, new_x);
+    Moments weight;
+    if (own_form()) {
+      const Eigen::VectorXd g = own_form()->gradient(s, last(x + n_));
+      weight = g.head<10>();
+      std::copy(g.begin() + 10, g.end(), gradient + n_);
+    } else {
+      weight = task_.problem.gradient(s);
+    }
+    weight *= task_.mass.contrast;
     task_.formulation.pull_back(variables(x), {&weight, 1}, {gradient, n_});
     return true;
   }
 
   bool eval_g(Index, const Number* x, bool new_x, Index, Number* g) override {
     ++evaluations_.constraints;
-    problem_rows(total(x, new_x), margin() ? x[n_] : 0, g);
-    own_rows(x, g + rows_.size());
+    problem_rows(total(x, new_x), x + n_, g);
+    own_rows(x, g + problem_row_count());
     return true;
   }
 
@@ -73,23 +80,34 @@ class DirectNlp final : public Nlp {
         *row++ = static_cast<Index>(r);
         *column++ = static_cast<Index>(c);
       };
-      for (std::size_t r = 0; r < rows_.size(); ++r)
+      for (std::size_t r = 0; r < problem_row_count(); ++r)
         for (std::size_t i = 0; i < n_; ++i) put(r, i);
       if (margin())
         for (std::size_t r = 0; r < rows_.size(); ++r) put(r, n_);
-      own_structure(static_cast<Index>(rows_.size()), row, column);
+      for (std::size_t e = 0; e < equation_count(); ++e)
+        for (std::size_t i = 0; i < last_count(); ++i) put(rows_.size() + e, n_ + i);
+      own_structure(static_cast<Index>(problem_row_count()), row, column);
       return true;
     }
     ++evaluations_.jacobian;
     if (new_x) known_ = false;
+    Eigen::MatrixXd equations;
+    weights_.resize(rows_.size());
+    if (own_form()) {
+      equations = own_form()->jacobian(total(x, new_x), last(x + n_));
+      for (const auto& equation : equations.rowwise())
+        weights_.push_back(task_.mass.contrast * equation.head<10>().transpose());
+    }
     // A support polygon may have more rows than a pull-back takes at once.
-    for (std::size_t r = 0; r < rows_.size(); r += Formulation::most_weights) {
-      const std::size_t count = std::min(rows_.size() - r, Formulation::most_weights);
+    for (std::size_t r = 0; r < weights_.size(); r += Formulation::most_weights) {
+      const std::size_t count = std::min(weights_.size() - r, Formulation::most_weights);
       task_.formulation.pull_back(variables(x), std::span(weights_).subspan(r, count), {values, count * n_});
       values += count * n_;
     }
     if (margin())
       for (const Row& r : rows_) *values++ = r.slope;
+    for (const auto& equation : equations.rowwise())
+      values = std::copy(equation.begin() + 10, equation.end(), values);
     own_values(values);
     return true;
   }
@@ -101,7 +119,8 @@ class DirectNlp final : public Nlp {
     return total_;
   }
 
-  std::vector<Moments> weights_;
+  std::vector<Moments>
+      weights_;  ///< of the constraints, and then of the equations where they were last asked
   Moments total_ = Moments::Zero();
   bool known_ = false;
 };

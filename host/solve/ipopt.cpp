@@ -213,6 +213,7 @@ Outcome solve(const Task& task, const SolverOptions& options) {
   outcome.evaluations = nlp->evaluations();
   outcome.history = nlp->history();
   outcome.x = nlp->solution().empty() ? start : nlp->solution();
+  outcome.auxiliary = nlp->auxiliary();
   outcome.moments = task.mass.total(task.formulation.moments(outcome.x));
   outcome.objective = task.problem.value(outcome.moments);
   outcome.violation = violation(task.problem, outcome.moments);

@@ -24,22 +24,24 @@ class LiftedNlp final : public Nlp {
   }
 
   bool get_nlp_info(Index& n, Index& m, Index& jac, Index& hess, IndexStyleEnum& style) override {
-    n = static_cast<Index>(n_ + lifted_count());
-    m = static_cast<Index>(ten + rows_.size() + own_.lower.size());
-    jac = static_cast<Index>(ten * n_ + ten + entries_.size() + own_.entries.size());
-    hess = static_cast<Index>((linear_ ? 0 : n_) + ten * (ten + 1) / 2);
+    n = static_cast<Index>(n_ + ten + last_count());
+    m = static_cast<Index>(ten + problem_row_count() + own_.lower.size());
+    jac = static_cast<Index>(ten * n_ + ten + entries_.size() + equation_count() * (ten + last_count()) +
+                             own_.entries.size());
+    hess = static_cast<Index>((linear_ ? 0 : n_) + curved_count() * (curved_count() + 1) / 2);
     style = C_STYLE;
     return true;
   }
 
   bool get_bounds_info(Index, Number* x_l, Number* x_u, Index, Number* g_l, Number* g_u) override {
     fill_bounds(x_l, x_u);
-    std::fill_n(x_l + n_, lifted_count(), -infinity);
-    std::fill_n(x_u + n_, lifted_count(), infinity);
+    std::fill_n(x_l + n_, ten, -infinity);
+    std::fill_n(x_u + n_, ten, infinity);
+    last_bounds(x_l + n_ + ten, x_u + n_ + ten);
     std::fill_n(g_l, ten, 0.0);
     std::fill_n(g_u, ten, 0.0);
     problem_row_bounds(g_l + ten, g_u + ten);
-    own_row_bounds(g_l + ten + rows_.size(), g_u + ten + rows_.size());
+    own_row_bounds(g_l + ten + problem_row_count(), g_u + ten + problem_row_count());
     return true;
   }
 
@@ -47,25 +49,27 @@ class LiftedNlp final : public Nlp {
     std::ranges::copy(start_, x);
     const Moments s = task_.mass.total(task_.formulation.moments(start_));
     std::copy_n(s.data(), ten, x + n_);
-    if (margin()) x[n_ + ten] = margin_at(s);
+    last_start(s, x + n_ + ten);
     return true;
   }
 
   bool eval_f(Index, const Number* x, bool, Number& value) override {
     ++evaluations_.objective;
-    value = margin() ? x[n_ + ten] : task_.problem.value(lifted(x));
+    value = margin()     ? x[n_ + ten]
+            : own_form() ? own_form()->value(lifted(x), last(x + n_ + ten))
+                         : task_.problem.value(lifted(x));
     return true;
   }
 
   bool eval_grad_f(Index, const Number* x, bool, Number* gradient) override {
     ++evaluations_.gradient;
-    std::fill_n(gradient, n_ + lifted_count(), 0.0);
-    if (margin()) {
+    std::fill_n(gradient, n_ + ten + last_count(), 0.0);
+    if (margin())
       gradient[n_ + ten] = 1;
-      return true;
-    }
-    const Moments g = task_.problem.gradient(lifted(x));
-    std::copy_n(g.data(), ten, gradient + n_);
+    else if (own_form())
+      std::ranges::copy(own_form()->gradient(lifted(x), last(x + n_ + ten)), gradient + n_);
+    else
+      std::ranges::copy(task_.problem.gradient(lifted(x)), gradient + n_);
     return true;
   }
 
@@ -74,8 +78,8 @@ class LiftedNlp final : public Nlp {
     const Moments s = lifted(x);
     const Moments gap = task_.mass.total(task_.formulation.moments(variables(x))) - s;
     std::copy_n(gap.data(), ten, g);
-    problem_rows(s, margin() ? x[n_ + ten] : 0, g + ten);
-    own_rows(x, g + ten + rows_.size());
+    problem_rows(s, x + n_ + ten, g + ten);
+    own_rows(x, g + ten + problem_row_count());
     return true;
   }
 
@@ -91,7 +95,9 @@ class LiftedNlp final : public Nlp {
         for (std::size_t i = 0; i < n_; ++i) put(k, i);
       for (std::size_t k = 0; k < ten; ++k) put(k, n_ + k);
       for (const SparseRows::Entry& e : entries_) put(ten + e.row, static_cast<std::size_t>(s + e.column));
-      own_structure(static_cast<Index>(ten + rows_.size()), row, column);
+      for (std::size_t e = 0; e < equation_count(); ++e)
+        for (std::size_t k = 0; k < ten + last_count(); ++k) put(ten + rows_.size() + e, n_ + k);
+      own_structure(static_cast<Index>(ten + problem_row_count()), row, column);
       return true;
     }
     ++evaluations_.jacobian;
@@ -104,6 +110,11 @@ class LiftedNlp final : public Nlp {
     values += ten * n_;
     values = std::fill_n(values, ten, -1.0);
     for (const SparseRows::Entry& e : entries_) *values++ = e.value;
+    if (own_form()) {
+      const Eigen::MatrixXd equations = own_form()->jacobian(lifted(x), last(x + n_ + ten));
+      for (const auto& equation : equations.rowwise())
+        values = std::copy(equation.begin(), equation.end(), values);
+    }
     own_values(values);
     return true;
   }
@@ -113,7 +124,7 @@ class LiftedNlp final : public Nlp {
     if (!values) {
       if (!linear_)
         for (std::size_t i = 0; i < n_; ++i) *row++ = *column++ = static_cast<Index>(i);
-      for (std::size_t a = 0; a < ten; ++a)
+      for (std::size_t a = 0; a < curved_count(); ++a)
         for (std::size_t b = 0; b <= a; ++b) {
           *row++ = static_cast<Index>(n_ + a);
           *column++ = static_cast<Index>(n_ + b);
@@ -128,15 +139,24 @@ class LiftedNlp final : public Nlp {
         for (std::size_t i = 0; i < n_; ++i) values[i] = std::max(values[i], 0.0);
       values += n_;
     }
-    // The margin is linear in t; the structure is kept, its ten by ten entries are zero.
-    const Matrix10 h = margin() ? Matrix10::Zero() : Matrix10(factor * task_.problem.hessian(lifted(x)));
+    const Eigen::MatrixXd h = curved(x, factor, lambda);
     for (int a = 0; a < h.rows(); ++a)
       for (int b = 0; b <= a; ++b) *values++ = h(a, b);
     return true;
   }
 
  private:
-  [[nodiscard]] std::size_t lifted_count() const { return margin() ? ten + 1 : ten; }
+  /// How many variables f and the equations curve in.
+  [[nodiscard]] std::size_t curved_count() const { return ten + (own_form() ? last_count() : 0); }
+  /// Hessian in them. The margin is linear in t: the structure is kept, and all is zero.
+  [[nodiscard]] Eigen::MatrixXd curved(const Number* x, double factor, const Number* lambda) const {
+    if (margin()) return Matrix10::Zero();
+    if (!own_form()) return factor * task_.problem.hessian(lifted(x));
+    const Eigen::Map<const Eigen::VectorXd> equations(lambda + ten + rows_.size(),
+                                                      static_cast<Eigen::Index>(equation_count()));
+    const auto a = last(x + n_ + ten);
+    return factor * own_form()->hessian(lifted(x), a) + own_form()->curvature(lifted(x), a, equations);
+  }
   [[nodiscard]] Moments lifted(const Number* x) const { return Eigen::Map<const Moments>(x + n_); }
 
   bool convexify_, linear_;

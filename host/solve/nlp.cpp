@@ -28,10 +28,26 @@ void Nlp::problem_row_bounds(Number* lower, Number* upper) const {
     *lower++ = std::max(row.lower, -infinity);
     *upper++ = std::min(row.upper, infinity);
   }
+  std::fill_n(lower, equation_count(), 0.0);
+  std::fill_n(upper, equation_count(), 0.0);
 }
 
-void Nlp::problem_rows(const Moments& s, double t, Number* g) const {
+void Nlp::problem_rows(const Moments& s, const Number* at, Number* g) const {
+  const double t = margin() ? *at : 0;
   for (const Row& row : rows_) *g++ = form(row).dot(s) + row.slope * t;
+  if (!own_form()) return;
+  const Eigen::VectorXd residuals = own_form()->residuals(s, last(at));
+  std::ranges::copy(residuals, g);
+}
+
+void Nlp::last_bounds(Number* lower, Number* upper) const {
+  std::fill_n(lower, last_count(), -infinity);
+  std::fill_n(upper, last_count(), infinity);
+}
+
+void Nlp::last_start(const Moments& s, Number* at) const {
+  if (margin()) *at = margin_at(s);
+  if (own_form()) std::ranges::copy(own_form()->start(s), at);
 }
 
 double Nlp::margin_at(const Moments& s) const {
@@ -50,11 +66,12 @@ bool Nlp::intermediate_callback(Ipopt::AlgorithmMode, Index iteration, Number ob
   return !interrupted();
 }
 
-void Nlp::finalize_solution(Ipopt::SolverReturn, Index, const Number* x, const Number*, const Number*, Index,
-                            const Number*, const Number*, Number, const Ipopt::IpoptData*,
+void Nlp::finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*, const Number*,
+                            Index, const Number*, const Number*, Number, const Ipopt::IpoptData*,
                             Ipopt::IpoptCalculatedQuantities*) {
   // Ipopt relaxes bounds by bound_relax_factor; the answer has to keep them.
   solution_.assign(x, x + n_);
+  if (own_form()) auxiliary_.assign(x + n - last_count(), x + n);
   const Bounds& bounds = task_.formulation.bounds();
   for (std::size_t i = 0; i < n_; ++i)
     solution_[i] = std::clamp(solution_[i], bounds.lower[i], bounds.upper[i]);

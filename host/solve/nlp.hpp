@@ -13,7 +13,8 @@ namespace kreisel {
 /// add functions and derivatives.
 ///
 /// When the goal is the margin there is one variable more, t, the last; it is the objective, and each bound
-/// of a constraint is a row of its own: C s - t <= u and C s + t >= l.
+/// of a constraint is a row of its own: C s - t <= u and C s + t >= l. A problem's own variables (Auxiliary)
+/// are the last as well, and its equations are rows behind those of the constraints.
 class Nlp : public Ipopt::TNLP {
  public:
   using Index = Ipopt::Index;
@@ -22,6 +23,7 @@ class Nlp : public Ipopt::TNLP {
   Nlp(const Task& task, std::vector<double> start);
 
   [[nodiscard]] const std::vector<double>& solution() const { return solution_; }
+  [[nodiscard]] const std::vector<double>& auxiliary() const { return auxiliary_; }
   [[nodiscard]] const Evaluations& evaluations() const { return evaluations_; }
   [[nodiscard]] const std::vector<Iterate>& history() const { return history_; }
 
@@ -42,11 +44,27 @@ class Nlp : public Ipopt::TNLP {
   static constexpr double infinity = 2e19;  // Ipopt's nlp_upper_bound_inf is 1e19
 
   [[nodiscard]] bool margin() const { return task_.problem.goal() == Goal::margin; }
+  /// The problem's own variables, where it is minimised in them.
+  [[nodiscard]] const Auxiliary* own_form() const { return margin() ? nullptr : task_.problem.auxiliary(); }
+  /// How many variables come last: the margin, or the problem's own.
+  [[nodiscard]] std::size_t last_count() const {
+    return margin() ? 1 : own_form() ? own_form()->variables() : 0;
+  }
+  [[nodiscard]] std::size_t equation_count() const { return own_form() ? own_form()->equations() : 0; }
+  [[nodiscard]] Eigen::Map<const Eigen::VectorXd> last(const Number* at) const {
+    return {at, static_cast<Eigen::Index>(last_count())};
+  }
+  void last_bounds(Number* lower, Number* upper) const;
+  /// Where they start, given the moments of the start.
+  void last_start(const Moments& s, Number* at) const;
   [[nodiscard]] auto form(const Row& row) const {
     return task_.problem.constraints().matrix.row(row.constraint);
   }
+  /// Rows of the problem: its constraints and then its equations.
+  [[nodiscard]] std::size_t problem_row_count() const { return rows_.size() + equation_count(); }
   void problem_row_bounds(Number* lower, Number* upper) const;
-  void problem_rows(const Moments& s, double t, Number* g) const;
+  /// @param at  where the last variables are
+  void problem_rows(const Moments& s, const Number* at, Number* g) const;
   /// The smallest t that the start allows.
   [[nodiscard]] double margin_at(const Moments& s) const;
   [[nodiscard]] std::span<const double> variables(const Number* x) const { return {x, n_}; }
@@ -66,7 +84,7 @@ class Nlp : public Ipopt::TNLP {
   Evaluations evaluations_;
 
  private:
-  std::vector<double> solution_;
+  std::vector<double> solution_, auxiliary_;
   std::vector<Iterate> history_;
 };
 

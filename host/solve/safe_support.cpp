@@ -72,17 +72,24 @@ SafeSupport::Value SafeSupport::at(const Moments& q) const {
   return value;
 }
 
-bool SafeSupport::certainly_positive(const Moments& q) const {
-  const Value value = at(q);
+SafeSupport::Value SafeSupport::at(const Moments& q, double offset) const {
+  Value value = at(q);
+  value.h += offset;
+  value.margin += 2 * eps * std::abs(offset);  // of the offset itself, a product, and of the sum
+  return value;
+}
+
+bool SafeSupport::certainly_positive(const Moments& q, double offset) const {
+  const Value value = at(q, offset);
   return value.h >= 2 * value.margin;
 }
 
 std::optional<double> SafeSupport::largest_ratio(const Moments& numerator, const Moments& denominator,
-                                                 double t) const {
+                                                 double t, double offset) const {
   // Newton's method is Dinkelbach's here: it falls to the root from above, from its second iterate on.
   Value value{};
   for (int step = 0; step < 20; ++step) {
-    value = at(numerator - t * denominator);
+    value = at(numerator - t * denominator, offset);
     const double change = (value.h - 2 * value.margin) / denominator.dot(value.s);
     if (!std::isfinite(change)) return std::nullopt;
     if (change >= 0 && step > 0) return t;
@@ -92,7 +99,7 @@ std::optional<double> SafeSupport::largest_ratio(const Moments& numerator, const
   // What counts is the sign as it is computed; each further step is twice as long.
   double step = std::max(value.margin / denominator.dot(value.s), 4 * eps * std::abs(t));
   for (int trial = 0; trial < 60; ++trial, t -= step, step *= 2)
-    if (certainly_positive(numerator - t * denominator)) return t;
+    if (certainly_positive(numerator - t * denominator, offset)) return t;
   return std::nullopt;
 }
 

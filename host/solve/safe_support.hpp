@@ -21,14 +21,17 @@ class SafeSupport {
   };
   [[nodiscard]] Value at(const Moments& q) const;
 
-  /// Is h(q) >= 0, with as much again as the rounding error to spare, so that a check by other arithmetic
-  /// will find the same?
-  [[nodiscard]] bool certainly_positive(const Moments& q) const;
+  /// The same of q . s + offset.
+  [[nodiscard]] Value at(const Moments& q, double offset) const;
 
-  /// About the largest t with certainly_positive(numerator - t denominator); denominator . s > 0 for all
-  /// attainable s. @param t  where to start  @return  nothing when there seems to be none
+  /// Is h(q) + offset >= 0, with as much again as the rounding error to spare, so that a check by other
+  /// arithmetic will find the same?
+  [[nodiscard]] bool certainly_positive(const Moments& q, double offset = 0) const;
+
+  /// About the largest t with certainly_positive(numerator - t denominator, offset); denominator . s > 0 for
+  /// all attainable s. @param t  where to start  @return  nothing when there seems to be none
   [[nodiscard]] std::optional<double> largest_ratio(const Moments& numerator, const Moments& denominator,
-                                                    double t) const;
+                                                    double t, double offset = 0) const;
 
  private:
   Rays rays_;

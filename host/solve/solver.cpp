@@ -9,6 +9,7 @@
 #include "parse.hpp"
 #include "solve/ipopt.hpp"
 #include "solve/moment.hpp"
+#include "solve/plane_sweep.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel {
@@ -63,11 +64,18 @@ const std::vector<SolverEntry>& solvers() {
       {"ipopt",
        "interior point: lifted exact Hessian, or L-BFGS (ipopt.hessian_approximation=limited-memory)",
        solve_with_ipopt,
-       {"voxel", "rayrep"}},
+       {"voxel", "rayrep"},
+       {},
+       true},
       {"moment",
        "sequential quadratic programming and Newton's method in the ten moments (docs/quadric.md)",
        solve_with_moments,
        {"quadric"}},
+      {"plane-sweep",
+       "carves from the far side until nothing brings the centre of mass nearer: a baseline for stand",
+       solve_with_plane_sweep,
+       {"voxel"},
+       {"stand"}},
   };
   return all;
 }
@@ -79,6 +87,20 @@ const SolverEntry& find_solver(std::string_view name, std::string_view formulati
     throw InputError(fmt::format("solver '{}' does not work with formulation '{}'; it works with: {}", name,
                                  formulation, fmt::join(entry->formulations, ", ")));
   return *entry;
+}
+
+void require_problem(const SolverEntry& solver, std::string_view problem) {
+  if (!solver.problems.empty() && std::ranges::find(solver.problems, problem) == solver.problems.end())
+    throw InputError(fmt::format("solver '{}' does not solve '{}'; it solves: {}", solver.name, problem,
+                                 fmt::join(solver.problems, ", ")));
+}
+
+void require_form(const SolverEntry& solver, const Problem& problem) {
+  if (problem.auxiliary() && !solver.auxiliary)
+    throw InputError(
+        fmt::format("problem.form = angle does not work with solver '{}', which knows the moments alone; "
+                    "expected trace, the same problem, or solver ipopt",
+                    solver.name));
 }
 
 const SolverEntry& default_solver(std::string_view formulation) {

@@ -43,6 +43,7 @@ struct Outcome {
   double objective = 0;                                ///< f(moments)
   double violation = 0;                                ///< largest constraint violation at `moments`
   double dual_infeasibility = 0, complementarity = 0;  ///< of the problem as it is posed, unscaled
+  std::vector<double> auxiliary;                       ///< the problem's own variables, where it has any
   std::vector<double> multipliers;                     ///< of the constraints, where the solver gives them
   double kernel_seconds = 0, solve_seconds = 0;        ///< the first is part of the second
   Evaluations evaluations;
@@ -79,12 +80,19 @@ struct SolverEntry {
   Outcome (*solve)(const Task& task, const SolverOptions& options);
   /// Names of the formulations it works with.
   std::vector<std::string_view> formulations;
+  std::vector<std::string_view> problems = {};  ///< that it is made for; empty: all
+  bool auxiliary = false;                       ///< takes problems with variables of their own
 };
 
 [[nodiscard]] const std::vector<SolverEntry>& solvers();
 
 /// @throws InputError  unknown solver, or one that cannot work with the formulation
 [[nodiscard]] const SolverEntry& find_solver(std::string_view name, std::string_view formulation);
+
+/// @throws InputError  a solver that is not made for the problem
+void require_problem(const SolverEntry& solver, std::string_view problem);
+/// @throws InputError  the problem has variables of its own, and the solver takes none
+void require_form(const SolverEntry& solver, const Problem& problem);
 
 /// The first solver that works with a formulation. @throws InputError  unknown formulation
 [[nodiscard]] const SolverEntry& default_solver(std::string_view formulation);

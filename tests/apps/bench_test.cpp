@@ -243,5 +243,21 @@ TEST_F(Bench, DevicesSaysWhatThereIs) {
   EXPECT_NE(a.out.find("fp64"), std::string::npos);
 }
 
+TEST_F(Bench, EndsWithTheSolveWhenNoPartIsAskedFor) {
+  const BenchAnswer a = bench(
+      "--model ellipsoid --fineness 16 --resolution 24 --formulation quadric --part none --json - --record " +
+      file("n.h5"));
+  ASSERT_EQ(a.code, 0) << a.out;
+  const auto json = nlohmann::json::parse(a.out);
+  EXPECT_EQ(json.at("termination"), "optimal");
+  EXPECT_TRUE(json.at("verified").is_null());
+  EXPECT_NE(bench("show " + file("n.h5")).out.find("none made"), std::string::npos);
+  const BenchAnswer both =
+      bench("--model ellipsoid --fineness 16 --resolution 24 --part none --mesh " + file("n.stl"));
+  EXPECT_EQ(both.code, 2);
+  EXPECT_NE(both.out.find("expected no mesh"), std::string::npos) << both.out;
+  EXPECT_FALSE(std::filesystem::exists(file("n.stl")));
+}
+
 }  // namespace
 }  // namespace kreisel

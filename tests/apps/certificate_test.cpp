@@ -42,6 +42,9 @@ TEST_F(Certified, EveryKindHoldsInAnotherProgram) {
        {std::tuple{"--model ellipsoid --resolution 40", 0, "spin"},
         std::tuple{"--model bird --resolution 40 --set problem.lambda=1", 0, "spin"},
         std::tuple{"--model ellipsoid --resolution 40 --void-density 0.1", 0, "spin"},
+        std::tuple{"--model ellipsoid --resolution 40 --problem top --lower height", 0, "spin"},
+        std::tuple{"--model ellipsoid --resolution 40 --problem top", 0, "top"},
+        std::tuple{"--model cuboid --resolution 24 --problem yoyo --axis 0.3,0,1", 0, "yoyo"},
         std::tuple{"--model kitten --resolution 24 --problem float --draft 80%", 0, "linear"},
         std::tuple{"--model kitten --resolution 24 --problem stand --target inside", 0, "ratio"},
         std::tuple{"--model kitten --resolution 24 --problem stand --target max-tilt", 0, "ratio"},
@@ -108,6 +111,33 @@ TEST_F(Certified, WhatWasTamperedWithFails) {
     ASSERT_EQ(edited.code, 0) << edit << '\n' << edited.out;
     const BenchAnswer answer = check();
     EXPECT_EQ(answer.code, 1) << edit << '\n' << answer.out;
+  }
+}
+
+/// What a top has beside: boxes of two sides, which have to cover all of them.
+TEST_F(Certified, ATopThatWasTamperedWithFails) {
+  if (!can_check()) GTEST_SKIP() << "h5py is not installed";
+  (void)run("--model ellipsoid --resolution 40 --formulation quadric --problem top --certify");
+  std::filesystem::copy_file(record(), folder_.path / "clean.h5");
+  ASSERT_EQ(check().code, 0) << check().out;
+  for (const char* edit : {
+           "c.attrs['bound'] += 1e-6; f.attrs['bound'] += 1e-6",
+           "c.attrs['moment'] *= 0.99",
+           "c.attrs['sz_most'] *= 1.01",
+           "c['boxes'][n, 3] += 1e-6",
+           "c['boxes'][n, 14] += 1e-9",
+           "c['boxes'][n, 16] += 1e-3; c['box_quadrics'][4 * n + 2, 7:9] -= 1e-3",
+           "c['boxes'][n, 18] += 0.01",
+           "c['boxes'][n, 2] = 1; c['boxes'][n, 3] = np.inf",
+       }) {
+    std::filesystem::copy_file(folder_.path / "clean.h5", record(),
+                               std::filesystem::copy_options::overwrite_existing);
+    const BenchAnswer edited = shell(
+        fmt::format("{} -c \"import h5py, numpy as np; f = h5py.File('{}', 'r+'); c = f['certificate']; "
+                    "n = int(np.argmin(c['boxes'][:, 3])); {}; f.close()\"",
+                    python, record(), edit));
+    ASSERT_EQ(edited.code, 0) << edit << '\n' << edited.out;
+    EXPECT_EQ(check().code, 1) << edit;
   }
 }
 

@@ -89,6 +89,33 @@ TEST_F(BenchMap, KeepsWhatIsDoneWhenInterrupted) {
   expect_h5py_reads(file("part.h5"));
 }
 
+TEST_F(BenchMap, AreAnExperimentWithATableAndAPictureEach) {
+  std::ofstream(file("maps.toml"))
+      << "table = 'maps'\nfigures = ['map']\nmodel = 'ellipsoid'\nresolution = 24\n"
+         "fineness = 16\naxes = 30\n[[run]]\nthrough = 'centre'\n"
+         "[[run]]\nproblem = 'float'\ndrafts = '40%,70%'\n";
+  const std::string run = fmt::format("run {} --results {}", file("maps.toml"), file("runs"));
+  BenchAnswer a = bench(run);
+  ASSERT_EQ(a.code, 0) << a.out;
+  EXPECT_NE(a.out.find("2 runs done, 0 finished before, 0 failed"), std::string::npos) << a.out;
+  EXPECT_NE(a.out.find("70%"), std::string::npos) << a.out;
+  a = bench(run);
+  EXPECT_NE(a.out.find("0 runs done, 2 finished before, 0 failed"), std::string::npos) << a.out;
+  a = bench("show " + file("runs"));
+  EXPECT_EQ(a.code, 0);
+  EXPECT_NE(a.out.find("make it    bench --"), std::string::npos) << a.out;
+  if (std::system("/usr/bin/python3 -c 'import h5py, matplotlib' 2>/dev/null") != 0)
+    GTEST_SKIP() << "h5py or matplotlib is not installed";
+  a = bench(fmt::format("report {} --results {} -o {}", file("maps.toml"), file("runs"), file("page.html")));
+  ASSERT_EQ(a.code, 0) << a.out;
+  std::ifstream stream(file("page.html"));
+  const std::string page{std::istreambuf_iterator<char>(stream), {}};
+  std::size_t images = 0;
+  for (std::size_t at = page.find("<img"); at != std::string::npos; at = page.find("<img", at + 1)) ++images;
+  EXPECT_EQ(images, 2u);
+  EXPECT_EQ(page.find("class=\"missing\""), std::string::npos);
+}
+
 TEST_F(BenchMap, RefusesWhatItCannotDoInOneLine) {
   for (const char* bad : {"--problem stand", "--axes 0", "--drafts 40%", "--problem float --drafts 140%",
                           "--formulation voxel", "--record /no/such/folder/m.h5"}) {

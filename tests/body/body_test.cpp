@@ -108,6 +108,42 @@ TEST_F(BodyOfABox, HollowedOutKeepsTheShellAndTakesTheFillBack) {
   EXPECT_LE((mass.total(Moments::Zero()) - (body.solid - interior)).cwiseAbs().maxCoeff(), 4 * 0x1p-53);
 }
 
+TEST_F(BodyOfABox, OfTwoMaterialsIsDesignedByTheHeavierWhicheverThatIs) {
+  BodySpec s = spec();
+  s.density = 2;
+  const Moments interior = box_moments({0, 0, 0.25}, {1.5, 0.5, 0.25});
+  const Moments half = box_moments({0.375, 0, 0.25}, {0.75, 0.5, 0.25});  // the upper half along x is void
+  // In g/cm^3: interior, void; moments are in densities of the shell.
+  for (const auto& [fill, filling] : {std::pair{8.0, 0.0}, {1.0, 0.5}, {2.0, 6.0}, {1.0, 6.0}, {0.5, 0.0}}) {
+    s.interior_density = fill;
+    s.void_density = filling;
+    const Body body = make_body(s, test_device());
+    EXPECT_NEAR(body.solid[S1], 1, tolerance());
+    const MassModel mass = hollowed(body, interior);
+    EXPECT_GT(mass.contrast, 0);
+    const Moments want = body.solid - interior + fill / 2 * (interior - half) + filling / 2 * half;
+    const Moments designed = body.heavy_voids() ? half : Moments(interior - half);
+    EXPECT_LE((mass.total(designed) - want).cwiseAbs().maxCoeff(), 16 * 0x1p-53) << fill << " " << filling;
+  }
+}
+
+TEST_F(BodyOfABox, RefusesDensitiesWithNothingToDesign) {
+  const auto refused = [&](double density, std::optional<double> fill, double filling) {
+    BodySpec s = spec();
+    s.density = density;
+    s.interior_density = fill;
+    s.void_density = filling;
+    EXPECT_THROW((void)make_body(s, test_device()), InputError) << density << " " << filling;
+  };
+  refused(0, {}, 0);
+  refused(1, 0.0, 0);
+  refused(1, -2.0, 0);
+  refused(1, {}, 1);
+  refused(1, 8.0, 8);
+  refused(1, {}, -0.5);
+  refused(1, {}, std::numeric_limits<double>::infinity());
+}
+
 TEST_F(BodyOfABox, MendsTheMeshOfAFileAndSaysSo) {
   std::ofstream(file_)
       << "OFF\n5 4 0\n0 0 0\n6 0 0\n0 6 0\n0 0 6\n9 9 9\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n";

@@ -132,6 +132,31 @@ TEST(Experiment, NamesTheLineOfTheListItemAtFault) {
 TEST(Experiment, RefusesAnEmptyList) { refuses("[[run]]\nmodel = []", 2, {"model", "empty list"}); }
 TEST(Experiment, RefusesAListOfLists) { refuses("[[run]]\nresolution = [[80, 52, 51]]", 2, {"resolution"}); }
 TEST(Experiment, RefusesATableWhereAValueBelongs) { refuses("[[run]]\n[run.ipopt]\ntol = 1", 2, {"ipopt"}); }
+TEST(Experiment, TakesMapsBesideNothingElse) {
+  const Experiment maps = parse(
+      "table = 'maps'\naxes = 50\n[[run]]\nproblem = 'float'\ndrafts = '20%,40%'\n"
+      "[[run]]\nthrough = ['lowest', 'centre']");
+  ASSERT_EQ(maps.runs.size(), 3u);
+  const RunConfig& floats = maps.runs[0].config;
+  EXPECT_EQ(floats.formulation, "quadric");
+  EXPECT_EQ(floats.map.value().axes, 50);
+  EXPECT_EQ(floats.map.value().drafts, (std::vector<std::string>{"20%", "40%"}));
+  EXPECT_EQ(describe(floats).at("drafts"), "20%,40%");
+  EXPECT_EQ(maps.runs[2].config.map.value().through, Through::centre);
+  EXPECT_NE(run_name(maps.runs[1].config), run_name(maps.runs[2].config));
+  EXPECT_TRUE(run_name(maps.runs[1].config).starts_with("ellipsoid-64-spin-map-"));
+  refuses("[[run]]\naxes = 0", 2, {"axes", ">= 1"});
+  refuses("[[run]]\nthrough = 'above'", 2, {"through", "lowest or centre"});
+  refuses("[[run]]\naxes = 5", 2, {"table = \"maps\""});
+  refuses("table = 'maps'\n[[run]]\nmodel = 'bird'", 3, {"axes or through"});
+}
+
+TEST(Experiment, RefusesAMeshOfARunThatMakesNoPart) {
+  refuses("[[run]]\nmesh = true\npart = 'none'", 3, {"mesh", "part"});
+  refuses("[[run]]\npart = 'some'", 2, {"none or written"});
+  EXPECT_EQ(parse("[[run]]\npart = 'none'").runs[0].config.part, Part::none);
+}
+
 TEST(Experiment, RefusesASettingOfAnUnknownGroup) {
   refuses("[[run]]\nset.snopt.tol = 1", 2, {"snopt.tol", "ipopt"});
 }

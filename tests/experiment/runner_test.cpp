@@ -10,6 +10,9 @@
 
 #include "error.hpp"
 #include "experiment/progress.hpp"
+#include "experiment/recorded_runs.hpp"
+#include "experiment/table.hpp"
+#include "record/map_record.hpp"
 #include "record/record.hpp"
 #include "temporary_folder.hpp"
 
@@ -210,6 +213,71 @@ TEST_F(Runner, RefusesToReplaceWhatItCannotRead) {
   folder.write("runs/trial/" + record(0).filename().string(), "not a record");
   EXPECT_THROW((void)run(), InputError);
   EXPECT_TRUE(ran.empty());
+}
+
+/// Maps of two axes, of which `answered` were: the first feasible, the second not.
+OrientationMap two_axes(const RunConfig& config, std::size_t answered = 2) {
+  OrientationMap map;
+  map.config = config;
+  map.body_name = "ellipsoid";
+  map.through = config.map->through;
+  map.cases = {""};
+  map.asked = 2;
+  map.axes = {Vec3::UnitX(), Vec3::UnitZ()};
+  map.axes.resize(answered);
+  map.contacts.assign(answered, Vec3::Zero());
+  map.answers.resize(answered);
+  if (answered > 0) {
+    map.answers[0].status = MapAnswer::feasible;
+    map.answers[0].objective = 0.75;
+    map.answers[0].verdict = {true, "spins", {{"omega_min_rpm", 400}}};
+  }
+  if (answered > 1) map.answers[1].status = MapAnswer::infeasible;
+  map.sweep_seconds = 1.5;
+  map.grid = {{4, 3, 2}, Vec3::Zero(), 0.1};
+  map.rays = 9;
+  return map;
+}
+
+TEST_F(Runner, RecordsMapsSkipsThemAndSetsThemOutInATable) {
+  experiment =
+      parse_experiment("table = 'maps'\n[[run]]\nthrough = ['lowest', 'centre']\naxes = 2", "trial.toml");
+  int maps = 0;
+  hooks.map = [&](const RunConfig& config, const Progress&) {
+    if (++maps == 2) throw InputError("no interior left; expected a thinner wall");
+    return two_axes(config);
+  };
+  RunCounts counts = run();
+  EXPECT_EQ(counts.done, 1);
+  EXPECT_EQ(counts.failed, 1);
+  EXPECT_TRUE(ran.empty());
+  EXPECT_TRUE(is_map(record(0)));
+  const MapSummary map = read_map(record(0));
+  EXPECT_EQ(map.axes, 2u);
+  EXPECT_EQ(map.cases.at(0).feasible, 0.5);
+  EXPECT_EQ(map.best.value().axis, Vec3::UnitX());
+  EXPECT_EQ(map.best.value().values.at("omega_min_rpm"), 400);
+  EXPECT_TRUE(std::isnan(map.best.value().values.at("metacentric_height_mm")));
+
+  const std::string text = table_text(experiment, collect(experiment, options.results));
+  EXPECT_EQ(squeezed_line(text, "ellipsoid  spin     lowest"),
+            "ellipsoid spin lowest - 4x3x2 9 2 1.50 | 50.0 0.0 50.0 | 1.000,0.000,0.000 0.75 400 -")
+      << text;
+  EXPECT_NE(text.find("error - no interior left"), std::string::npos) << text;
+
+  counts = run();  // what failed is run again, what is finished is not
+  EXPECT_EQ(counts.done, 1);
+  EXPECT_EQ(counts.skipped, 1);
+  EXPECT_EQ(run().skipped, 2);
+}
+
+TEST_F(Runner, LeavesNoRecordOfAMapThatTheUserStopped) {
+  experiment = parse_experiment("table = 'maps'\n[[run]]\naxes = 2", "trial.toml");
+  hooks.map = [](const RunConfig& config, const Progress&) { return two_axes(config, 1); };
+  const RunCounts counts = run();
+  EXPECT_TRUE(counts.interrupted);
+  EXPECT_EQ(counts.done, 0);
+  EXPECT_FALSE(fs::exists(record(0)));
 }
 
 TEST(Estimate, GrowsWithTheNumberOfCellsOfTheSameFormulation) {

@@ -56,6 +56,19 @@ TEST_F(WriteMesh, PutsAllPartsIntoOneFile) {
   EXPECT_DOUBLE_EQ(inspect(back).volume, 2 * 8.0 / 6);
 }
 
+TEST_F(WriteMesh, KeepsObjectsApartWhereAFormatHasThem) {
+  write_objects(folder_ / "a.3mf",
+                {{"shell", {tetrahedron(0), tetrahedron(10)}}, {"interior", {tetrahedron(20)}}});
+  const std::vector<TriangleMesh> objects = read_objects(folder_ / "a.3mf");
+  ASSERT_EQ(objects.size(), 2u);
+  EXPECT_EQ(objects[0].triangles.size(), 8u);
+  EXPECT_EQ(objects[1].triangles.size(), 4u);
+  EXPECT_EQ(objects[1].vertices[1], Vec3(22, 0, 0));
+  EXPECT_EQ(read_mesh(folder_ / "a.3mf").triangles.size(), 12u);
+  write_mesh(folder_ / "a.stl", {tetrahedron(0), tetrahedron(10)});
+  EXPECT_EQ(read_objects(folder_ / "a.stl").size(), 1u);
+}
+
 TEST_F(WriteMesh, ReplacesAnEarlierFileAndLeavesNothingElse) {
   std::ofstream(folder_ / "a.stl") << "old";
   write_mesh(folder_ / "a.stl", {tetrahedron(0)});

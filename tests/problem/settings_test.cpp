@@ -11,10 +11,12 @@ namespace {
 TEST(ProblemSettings, OfTheRegistryAreThoseThatEachProblemTakes) {
   const std::map<std::string_view, ProblemSettings> valid = {
       {"spin", {{"lambda", "0"}, {"gamma_i", "1"}}},
+      {"top", {{"lower", "height"}, {"gamma_c", "0"}, {"gamma_i", "1"}, {"form", "angle"}}},
+      {"yoyo", {{"gamma_i", "2"}, {"form", "trace"}}},
       {"stand", {{"target", "inside"}, {"margin", "0.1"}, {"base", "2%"}}},
       {"float", {{"draft", "60%"}, {"fluid_density", "1.2"}}},
       {"balance", {{"point", "0,0,0"}, {"line", "0,1,0"}}}};
-  const Body body = body_of(box_mesh({-0.5, -0.25, 0}, {0.5, 0.25, 2}), 10);
+  const Body body = body_of(box_mesh({-0.5, -0.25, -0.1}, {0.5, 0.25, 1.9}), 10);
   for (const ProblemEntry& entry : problems()) {
     ASSERT_TRUE(valid.contains(entry.name)) << entry.name;
     const ProblemSettings& settings = valid.at(entry.name);

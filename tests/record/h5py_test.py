@@ -25,7 +25,7 @@ ATTRIBUTES = {
         "ipopt_version": TEXT, "linear_solver": TEXT, "blas": TEXT, "started": TEXT,
     },
     "/body": {
-        "name": TEXT, "repairs": TEXT, "density": REAL, "density_units": TEXT, "solid_mass": REAL, "solid_mass_units": TEXT,
+        "name": TEXT, "repairs": TEXT, "density": REAL, "interior_density": REAL, "void_density": REAL, "density_units": TEXT, "solid_mass": REAL, "solid_mass_units": TEXT,
         "length": REAL, "length_units": TEXT, "mass_unit": REAL, "mass_unit_units": TEXT,
         "solid_objective": REAL,
     },
@@ -45,9 +45,12 @@ ATTRIBUTES = {
     },
     "/verified": {
         "ok": FLAG, "text": TEXT, "file": TEXT, "rounding_mismatch": REAL, "triangles": WHOLE,
-        "void_triangles": WHOLE,
+        "void_triangles": WHOLE, "voids": WHOLE, "islands": WHOLE, "cuts": WHOLE,
     },
 }
+
+# Of each material in /verified/materials.
+MATERIAL = {"density": REAL, "mass": REAL, "file": TEXT, "triangles": WHOLE}
 
 # Of a certified run alone.
 CERTIFIED = {
@@ -79,6 +82,9 @@ DATASETS = {
     "/solve/median": ("f8", (1, 4), SECONDS),
     "/rounding/moments": ("f8", (10,), MOMENTS),
     "/verified/moments": ("f8", (10,), MOMENTS),
+    "/voids/pieces": ("f8", (None,), None),
+    "/voids/islands": ("f8", (None,), None),
+    "/voids/cuts": ("f8", (None, 5), ["nx", "ny", "nz", "offset", "opens"]),
 }
 
 CERTIFIED_DATASETS = {
@@ -111,6 +117,9 @@ def check(file):
     if "certificate" in file:
         attributes = {g: ATTRIBUTES.get(g, {}) | CERTIFIED.get(g, {}) for g in ATTRIBUTES | CERTIFIED}
         datasets |= CERTIFIED_DATASETS
+    materials = file["verified/materials"]
+    expect(len(materials) > 0, "no materials")
+    attributes = attributes | {f"/verified/materials/{name}": MATERIAL for name in materials}
     for group, wanted in attributes.items():
         for name, kind in wanted.items():
             value = file[group].attrs.get(name)

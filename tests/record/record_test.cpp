@@ -75,9 +75,12 @@ RunResult made_by_hand() {
   r.rounding.void_voxels = 2;
   r.rounding.mended_voxels = 1;
   r.rounding.moved_voxels = 3;
+  r.voids = {{12.5, 0.5}, {0.25}, {{{0, 0, 1}, 4.5, 2}}};
   r.verified.verdict = {true, "spins", {{"off_axis", 1e-5}, {"omega_min_rpm", nan}}};
   r.verified.file = "part.stl";
   r.verified.triangles = 100;
+  r.verified.materials = {{"shell", 1.17, "part.stl", 80, 3.5},
+                          {"interior", 8.1, "part-interior.stl", 20, 7}};
   r.verified.void_triangles = 20;
   return r;
 }
@@ -94,7 +97,7 @@ RunResult certified_by_hand() {
   c.message = "the gap was reached";
   c.reached = true;
   c.contrast = 0.9;
-  c.spin = {0.25, 1};
+  c.spin = {.lambda = 0.25, .gamma_i = 1};
   const double infinity = std::numeric_limits<double>::infinity();
   c.boxes.push_back({.low = -infinity, .high = 0.25, .empty = true, .value = infinity, .nu = -1});
   c.boxes.push_back(
@@ -156,6 +159,9 @@ TEST_F(Record, GivesBackWhatWasWritten) {
   EXPECT_EQ(s.rounded_violation, 1e-4);
   EXPECT_EQ(s.mended_voxels, 1u);
   EXPECT_EQ(s.moved_voxels, 3u);
+  EXPECT_EQ(s.voids, 2u);
+  EXPECT_EQ(s.islands, 1u);
+  EXPECT_EQ(s.cuts, 1u);
   EXPECT_EQ(s.scope, r.scope);
   EXPECT_EQ(s.infeasibility, r.infeasibility);
   EXPECT_TRUE(s.verified_ok);
@@ -168,6 +174,26 @@ TEST_F(Record, GivesBackWhatWasWritten) {
   EXPECT_EQ(s.started, "2024-05-06T07:08:09Z");
   EXPECT_EQ(hdf5::File::open(path).group("body").text("repairs"),
             "merged 4 equal vertices\nturned 1 inside-out shell");
+}
+
+TEST_F(Record, OfARunThatEndedWithTheSolveSaysThatThereIsNoPart) {
+  RunResult r = made_by_hand();
+  r.config.part = Part::none;
+  EXPECT_NE(run_name(r.config), run_name(made_by_hand().config));
+  const auto path = folder.path / "none.h5";
+  write_record(path, r);
+  const RecordSummary s = read_record(path);
+  EXPECT_FALSE(s.has_part);
+  EXPECT_EQ(s.verified_text, "none made, none verified: part = none");
+  EXPECT_EQ(s.objective, 0.75);
+  EXPECT_EQ(s.config.at("part"), "none");
+  write_record(folder.path / "made.h5", made_by_hand());
+  EXPECT_TRUE(read_record(folder.path / "made.h5").has_part);
+  const auto json = to_json(r);
+  EXPECT_TRUE(json.at("verified").is_null());
+  EXPECT_TRUE(json.at("rounding").is_null());
+  EXPECT_EQ(json.at("no_part"), s.verified_text);
+  EXPECT_EQ(json.at("moments"), json.at("moments_optimum"));
 }
 
 TEST_F(Record, KeepsTablesWithTheirShapes) {

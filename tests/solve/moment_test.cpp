@@ -165,6 +165,20 @@ TEST(MomentSolver, SaysOfOneRayThatItCannotBalance) {
   EXPECT_EQ(solve_on(domain, Spin({}), mass).outcome.termination, Termination::infeasible);
 }
 
+TEST(MomentSolver, LeavesABodyWithoutInteriorAsItIs) {
+  // Symmetric, it meets the constraints as it is; leaning, nothing can be done about them.
+  for (const bool leans : {false, true}) {
+    const Body body = leans ? leaning_box() : body_of(box_mesh({-0.5, -0.5, 0}, {0.5, 0.5, 0.4}));
+    Columns domain = columns_of(body, 20);
+    domain.intervals.clear();
+    domain.interior.setZero();
+    const MassModel mass = hollowed(body, domain.interior);
+    const Outcome outcome = solve_on(domain, Spin({}), mass).outcome;
+    EXPECT_EQ(outcome.termination, leans ? Termination::infeasible : Termination::optimal) << outcome.message;
+    EXPECT_LE((outcome.moments - body.solid).cwiseAbs().maxCoeff(), 1e-15);
+  }
+}
+
 TEST(MomentSolver, TakesAThinPlate) {
   // A few layers of cells are left between the walls.
   const Body body = body_of(box_mesh({-1.0, -0.9, 0}, {1.04, 0.94, 0.23}));

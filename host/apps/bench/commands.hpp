@@ -39,9 +39,6 @@ int inspect_model(const InspectOptions& options);
 
 struct MapOptions {
   RunConfig config;
-  std::string through = "lowest";  ///< or "centre": where each axis runs
-  int axes = 2000;
-  std::vector<std::string> drafts;     ///< of `float`; empty: 20, 40, 60 and 80 %
   std::string json_file, record_file;  ///< empty: not written; json "-" is standard output
 };
 /// Where a body can spin, or float: every orientation over one domain.

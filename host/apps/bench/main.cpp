@@ -36,13 +36,18 @@ constexpr std::pair<const char*, const char*> fields[] = {
     {"resolution", "cells along the longest side, or NXxNYxNZ; default 64"},
     {"wall", "least wall: 1.5h (cells), 2% (of the longest side) or mm; default 1.5h"},
     {"rounding", "of the written part: nearest, or fitted so that the constraints hold (default)"},
+    {"part", "written (default), or none: the run ends with the solve"},
     {"axis", "spin axis x,y,z in model coordinates; default up"},
-    {"contact", "a point of the axis, mm; default the lowest point along it"},
+    {"contact", "a point of the axis, mm; default the lowest along it, for yoyo the centre of mass"},
     {"up", "up direction x,y,z; default the model's, else 0,0,1"},
     {"unit", "of an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm"},
     {"size", "longest side in mm; default as the model is"},
-    {"density", "g/cm^3; default 1"},
+    {"density", "of the shell, g/cm^3; default 1"},
+    {"interior-density", "of what is left of the interior, g/cm^3; default the shell's"},
     {"void-density", "of what fills the voids, g/cm^3; default 0"},
+    {"axle", "yoyo: radius of an axle between two halves, mm; default none, the body stays whole"},
+    {"slot", "yoyo: gap between the halves, mm; default the axle's radius"},
+    {"axle-depth", "yoyo: of the hole for the axle in each half, mm; default twice its radius"},
     {"fineness", "of a parametric model: about 20 n^2 triangles"},
     {"device", "index or part of a name; default KREISEL_DEVICE, else a GPU, else PoCL"},
     {"precision", "automatic or single (compensated)"},
@@ -53,6 +58,7 @@ constexpr std::pair<const char*, const char*> fields[] = {
 /// Settings of problems with an option of their own: option, setting, help.
 constexpr std::tuple<const char*, const char*, const char*> problem_settings[] = {
     {"target", "problem.target", "stand: centre, inside or max-tilt; default centre"},
+    {"lower", "problem.lower", "top: mass, height or none, beside the inertia ratio; default mass"},
     {"draft", "problem.draft", "float: 60% of the height, mm, grams (40g) or solid; default 60%"},
     {"fluid-density", "problem.fluid_density", "float: g/cm^3; default 1"},
     {"point", "problem.point", "balance: where the centre of mass is to be, x,y,z in mm"},
@@ -111,8 +117,9 @@ void add_inspect_options(CLI::App& app, Parsed& parsed) {
 }
 
 void add_map_options(CLI::App& app, Parsed& parsed) {
-  constexpr std::string_view used[] = {"model",        "resolution", "wall",   "size",     "density",
-                                       "void-density", "fineness",   "device", "precision"};
+  constexpr std::string_view used[] = {"model",   "resolution",       "wall",         "size",
+                                       "density", "interior-density", "void-density", "fineness",
+                                       "device",  "precision"};
   for (const auto& [name, help] : fields)
     if (std::ranges::find(used, std::string_view(name)) != std::end(used))
       add_field(app, parsed, name == std::string_view("model") ? "model,--model" : fmt::format("--{}", name),
@@ -125,14 +132,10 @@ void add_map_options(CLI::App& app, Parsed& parsed) {
   app.add_option("--set", parsed.settings, "GROUP.NAME=VALUE; groups: problem, solver")
       ->allow_extra_args(false)
       ->type_name("GROUP.NAME=VALUE");
-  app.add_option("--axes", parsed.map.axes, "directions of the sphere")->capture_default_str();
-  app.add_option("--through", parsed.map.through,
-                 "axes run through the lowest point, or the solid's centre of mass")
-      ->check(CLI::IsMember({"lowest", "centre"}))
-      ->capture_default_str();
-  app.add_option("--drafts", parsed.map.drafts, "float: of the height, mm or grams; default 20%,40%,60%,80%")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  add_field(app, parsed, "--axes", "axes", "directions of the sphere; default 2000");
+  add_field(app, parsed, "--through", "through",
+            "axes run through the lowest point (default), or the solid's centre of mass");
+  add_field(app, parsed, "--drafts", "drafts", "float: of the height, mm or grams; default 20%,40%,60%,80%");
   app.add_option("--json", parsed.map.json_file, "write it all as JSON; - for standard output");
   app.add_option("--record", parsed.map.record_file, "write the map as HDF5");
 }

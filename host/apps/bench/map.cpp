@@ -56,12 +56,7 @@ void print_map(const OrientationMap& map) {
 int map_model(const MapOptions& options) {
   require_writable(options.json_file, "--json");
   require_writable(options.record_file, "--record");
-  MapSpec spec;
-  spec.config = options.config;
-  spec.axes = sphere_directions(options.axes);
-  spec.drafts = options.drafts;
-  spec.through = options.through == "centre" ? Through::centre : Through::lowest;
-  if (spec.config.problem == "float" && spec.drafts.empty()) spec.drafts = {"20%", "40%", "60%", "80%"};
+  const MapSpec spec = map_spec(options.config);
   OrientationMap map;
   {
     const StepLine line;

@@ -6,6 +6,7 @@
 #include "apps/bench/commands.hpp"
 #include "apps/bench/outputs.hpp"
 #include "apps/bench/step_line.hpp"
+#include "fabricate/write_halves.hpp"
 #include "mesh/format.hpp"
 #include "record/record.hpp"
 #include "run/pipeline.hpp"
@@ -31,10 +32,29 @@ void print_certificate(const RunResult& r) {
     fmt::print("  better     f = {:.6f} was found on the way, by --formulation quadric\n", c.best);
 }
 
+/// What is of which density, where that takes more than one number.
+void print_materials(const RunResult& r) {
+  if (r.interior_density == r.density && r.void_density == 0) return;
+  fmt::print("  materials  shell {:.4g}, interior {:.4g}, voids {:.4g} g/cm^3{}\n", r.density,
+             r.interior_density, r.void_density,
+             r.void_density > r.interior_density ? ": solid, below, is the voids' filling" : "");
+}
+
+void print_files(const Verified& v) {
+  if (v.file.empty()) return;
+  if (v.materials.size() == 1) {
+    fmt::print("  written    {} ({} triangles, {} of them around voids)\n", v.file, v.triangles,
+               v.void_triangles);
+    return;
+  }
+  for (const WrittenMaterial& m : v.materials)
+    fmt::print("  written    {}: {} of {:.4g} g/cm^3, {:.4g} g ({} triangles)\n", m.file.string(), m.name,
+               m.density, m.grams, m.triangles);
+}
+
 void print_result(const RunResult& r, const TriangleMesh& outer) {
   const Outcome& o = r.outcome;
   const Vec3 size = bounding_box(outer).extent();
-  const Eigen::Vector3d c = centre_of_mass(r.rounding.moments) * r.length_mm;
   fmt::print("{}: {} by {} with {} on {}{}\n", r.body_name, r.config.problem, r.config.formulation,
              solver_of(r.config), r.provenance.device,
              r.provenance.single_precision ? " (single precision, compensated)" : "");
@@ -58,6 +78,10 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
   if (r.certificate) print_certificate(r);
   fmt::print("  objective  {:.6f} (the solid body: {:.6f}); violation {:.1e}\n", o.objective,
              r.solid_objective, o.violation);
+  if (r.config.part == Part::none) {
+    fmt::print("  part       {}\n", no_part);
+    return;
+  }
   if (r.domain == "exact")
     fmt::print("  meshed     {:.6f}; violation {:.1e}; a smooth cavity of {} triangles, {} correction{}\n",
                r.rounding.objective, r.rounding.violation, r.verified.void_triangles, r.rounding.corrections,
@@ -68,12 +92,13 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
         "manifold, {} moved to meet the constraints\n",
         r.rounding.objective, r.rounding.violation, r.rounding.void_voxels, r.interior_voxels,
         r.rounding.mended_voxels, r.rounding.moved_voxels);
+  const Eigen::Vector3d c = centre_of_mass(r.rounding.moments) * r.length_mm;
+  print_materials(r);
   fmt::print("  part       {:.4g} g, centre of mass {:.3f},{:.3f},{:.3f} mm in the body frame\n",
              r.rounding.moments[S1] * r.mass_unit_grams, c[0], c[1], c[2]);
+  if (!r.voids.pieces.empty()) fmt::print("  voids      {}\n", r.voids.text());
   fmt::print("  verified   {}\n", r.verified.verdict.text);
-  if (!r.verified.file.empty())
-    fmt::print("  written    {} ({} triangles, {} of them around voids)\n", r.verified.file,
-               r.verified.triangles, r.verified.void_triangles);
+  print_files(r.verified);
 }
 
 int exit_code(Termination termination) {
@@ -105,6 +130,9 @@ int run_once(const OnceOptions& options) {
   require_writable(options.record_file, "--record");
   const RunOutput output = run_showing_steps(options);
   const RunResult& result = output.result;
+  std::vector<std::filesystem::path> halves;
+  if (const auto axle = axle_of(options.config.body.axle); axle && !options.mesh_file.empty())
+    halves = write_halves(options.mesh_file, {output.outer, output.cavity}, result.frame, *axle);
   if (!options.record_file.empty()) write_record(options.record_file, result);
   const std::string json = to_json(result).dump(2) + "\n";
   if (options.json_file == "-") {
@@ -112,6 +140,7 @@ int run_once(const OnceOptions& options) {
   } else {
     if (!options.json_file.empty()) write_text(options.json_file, json);
     print_result(result, output.outer);
+    for (const std::filesystem::path& file : halves) fmt::print("  part       {}\n", file.string());
   }
   const bool cut_short = result.samples.size() < static_cast<std::size_t>(options.config.repeat);
   return cut_short && interrupted() ? was_interrupted : exit_code(result.outcome.termination);

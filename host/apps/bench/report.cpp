@@ -54,9 +54,9 @@ json section_of(const Experiment& experiment, const fs::path& results) {
   json records = json::array();
   std::size_t missing = 0;
   for (const RecordedRun& run : runs) {
-    if (!run.record)
+    if (!run.record && !run.map)
       ++missing;
-    else if (const std::string path = run.record->path.string();
+    else if (const std::string path = (run.map ? run.map->path : run.record->path).string();
              std::ranges::find(records, json(path)) == records.end())
       records.push_back(path);
   }

@@ -5,6 +5,7 @@
 
 #include "apps/bench/commands.hpp"
 #include "error.hpp"
+#include "record/map_record.hpp"
 #include "record/record.hpp"
 
 namespace kreisel::bench {
@@ -38,8 +39,9 @@ void print(const RecordSummary& r) {
   fmt::print("  time       {:.3f} s solve ({:.3f} s in kernels), {:.3f} s set-up; median of {}\n",
              r.median.solve, r.median.kernels, r.median.setup, r.samples.size());
   if (r.bound && r.gap) fmt::print("  certified  f >= {:.6f}, gap {:.3g} %\n", *r.bound, 100 * *r.gap);
-  fmt::print("  rounded    objective {:.6f}, violation {:.1e}, {} voxels mended, {} moved\n",
-             r.rounded_objective, r.rounded_violation, r.mended_voxels, r.moved_voxels);
+  if (r.has_part)
+    fmt::print("  rounded    objective {:.6f}, violation {:.1e}, {} voxels mended, {} moved\n",
+               r.rounded_objective, r.rounded_violation, r.mended_voxels, r.moved_voxels);
   fmt::print("  verified   {}\n", r.verified_text);
   fmt::print("  made       {} by {} on {}\n", r.started, r.commit, r.device);
   fmt::print("  config    ");
@@ -47,11 +49,28 @@ void print(const RecordSummary& r) {
   fmt::print("\n");
 }
 
+void print(const MapSummary& map) {
+  fmt::print("{}\n", map.path.string());
+  fmt::print("  {}: map of {}{}, {} of {} axes, grid {}x{}x{}, {} rays, {:.3f} s\n", map.model, map.problem,
+             map.problem == "spin" ? " through " + map.through : "", map.axes, map.asked, map.grid[0],
+             map.grid[1], map.grid[2], map.rays, map.sweep_seconds);
+  for (const MapSummary::Case& part : map.cases)
+    fmt::print("  {:<10} {:.1f} % feasible, {:.1f} % {}\n",
+               part.draft.empty() ? "possible" : "draft " + part.draft, 100 * part.feasible, 100 * part.ok,
+               map.problem);
+  if (map.best) fmt::print("  make it    {}\n", map.best->command);
+  fmt::print("  made       {} by {} on {}\n", map.started, map.commit, map.device);
+}
+
 }  // namespace
 
 int show(const std::vector<std::string>& paths) {
   for (const std::string& path : paths)
-    for (const std::filesystem::path& record : records_in(path)) print(read_record(record));
+    for (const std::filesystem::path& record : records_in(path))
+      if (is_map(record))
+        print(read_map(record));
+      else
+        print(read_record(record));
   return done;
 }
 

@@ -1,0 +1,37 @@
+# Writes OUTPUT, which tells ctest of every test in PROGRAM: one entry a source file, named by its path in tests and the
+# suites in it ("problem/spin: Spin, SpinFrom"). Run when PROGRAM has been linked.
+set(listing ${OUTPUT}.xml)
+execute_process(COMMAND ${PROGRAM} --gtest_list_tests --gtest_output=xml:${listing} OUTPUT_QUIET RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${PROGRAM}: cannot list its tests: ${status}")
+endif()
+file(STRINGS ${listing} lines REGEX "<testsuite |<testcase ")
+file(REMOVE ${listing})
+
+set(stems "")
+foreach(line IN LISTS lines)
+  if(line MATCHES "<testsuite name=\"([^\"]+)\"")
+    set(suite ${CMAKE_MATCH_1})
+  elseif(line MATCHES "name=\"[^\"]+\".* file=\"([^\"]+)\"")
+    string(REGEX REPLACE "^(.*/)?tests/|_test\\.cpp$" "" stem ${CMAKE_MATCH_1})
+    list(APPEND stems ${stem})
+    list(APPEND "filters of ${stem}" "${suite}.*")
+    string(REGEX REPLACE "^.*/(.*[^0-9/].*)" "\\1" plain ${suite})  # without the name of its instance
+    string(REGEX REPLACE "/[0-9]+$" "" plain ${plain})             # or the number of its type
+    list(APPEND "suites of ${stem}" ${plain})
+  else()
+    message(FATAL_ERROR "a test without a file: ${line}")
+  endif()
+endforeach()
+
+list(REMOVE_DUPLICATES stems)
+set(text "# Made by cmake/tests_by_file.cmake.\n")
+foreach(stem IN LISTS stems)
+  foreach(kind filters suites)
+    list(REMOVE_DUPLICATES "${kind} of ${stem}")
+  endforeach()
+  list(JOIN "filters of ${stem}" ":" filter)
+  list(JOIN "suites of ${stem}" ", " suites)
+  string(APPEND text "add_test([=[${stem}: ${suites}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${filter}]=])\n")
+endforeach()
+file(WRITE ${OUTPUT} "${text}")

@@ -1,0 +1,157 @@
+#include "experiment/attempt.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "error.hpp"
+#include "experiment/run_text.hpp"
+#include "record/map_record.hpp"
+#include "record/record.hpp"
+
+namespace kreisel {
+namespace fs = std::filesystem;
+namespace {
+
+/// The mesh is written beside its final name, so that an interrupted or failing run leaves the old one alone.
+class MeshInProgress {
+ public:
+  explicit MeshInProgress(const fs::path& target) : target_(target) {
+    if (!target.empty()) partial_ = fs::path(target).replace_extension(".new.stl");
+  }
+  ~MeshInProgress() {
+    std::error_code ignored;
+    if (!partial_.empty()) fs::remove(partial_, ignored);
+    for (const auto& [from, to] : others_) fs::remove(from, ignored);
+  }
+  MeshInProgress(const MeshInProgress&) = delete;
+  MeshInProgress& operator=(const MeshInProgress&) = delete;
+
+  [[nodiscard]] std::string file() const { return partial_.string(); }
+
+  /// The record names the meshes, one a material, as they will be.
+  void name_in(RunResult& result) {
+    if (partial_.empty()) return;
+    result.verified.file = target_.string();
+    for (WrittenMaterial& material : result.verified.materials) {
+      const std::string name = material.file.filename().string(), stem = partial_.stem().string();
+      const fs::path kept =
+          target_.parent_path() / (target_.stem().string() + name.substr(std::min(stem.size(), name.size())));
+      if (material.file != partial_) others_.emplace_back(material.file, kept);
+      material.file = kept;
+    }
+  }
+
+  void keep() {
+    if (partial_.empty()) return;
+    for (const auto& [from, to] : others_) rename(from, to);
+    rename(partial_, target_);
+    others_.clear();
+    partial_.clear();
+  }
+
+ private:
+  static void rename(const fs::path& from, const fs::path& to) {
+    std::error_code error;
+    fs::rename(from, to, error);
+    if (error)
+      throw InputError(fmt::format("{}: {}, expected to keep the mesh there", to.string(), error.message()));
+  }
+
+  fs::path target_, partial_;
+  std::vector<std::pair<fs::path, fs::path>> others_;  ///< of further materials: as written, as kept
+};
+
+class Solve final : public Attempt {
+ public:
+  Solve(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks), mesh_(run.mesh) {}
+
+  void run(const Progress& progress) override {
+    result_ = hooks_.run(run_.config, mesh_.file(), progress).result;
+    // Interrupted between two timed solves: whole, but timed less often than asked.
+    const bool cut_short =
+        result_->samples.size() < static_cast<std::size_t>(run_.config.repeat) && hooks_.interrupted();
+    whole_ = !cut_short && result_->outcome.termination != Termination::interrupted;
+  }
+
+  [[nodiscard]] bool whole() const override { return whole_; }
+  [[nodiscard]] bool converged() const override {
+    const Termination termination = result_->outcome.termination;
+    return termination == Termination::optimal || termination == Termination::acceptable;
+  }
+  [[nodiscard]] std::string text() const override {
+    const Outcome& outcome = result_->outcome;
+    return fmt::format("{}: {}, {} variables, {} iterations, {:.3g} s (median of {}), f = {:.6g}",
+                       run_text(result_->config), to_string(outcome.termination), result_->variables,
+                       outcome.iterations, result_->median.solve, result_->samples.size(), outcome.objective);
+  }
+  void keep() override {
+    mesh_.name_in(*result_);
+    write_record(run_.record, *result_);  // may find the disk full: then the old mesh stays, too
+    mesh_.keep();
+  }
+
+ private:
+  const PlannedRun& run_;
+  const RunnerHooks& hooks_;
+  MeshInProgress mesh_;
+  std::optional<RunResult> result_;
+  bool whole_ = false;
+};
+
+class Mapping final : public Attempt {
+ public:
+  Mapping(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
+
+  void run(const Progress& progress) override { map_ = hooks_.map(run_.config, progress); }
+  [[nodiscard]] bool whole() const override { return map_.axes.size() == map_.asked; }
+  [[nodiscard]] bool converged() const override { return true; }  // an axis that is infeasible is an answer
+  [[nodiscard]] std::string text() const override {
+    std::size_t feasible = 0;
+    for (std::size_t c = 0; c < map_.cases.size(); ++c) feasible += map_.count(c, MapAnswer::feasible);
+    return fmt::format("{}: {} axes, {:.3g} s, {} of {} feasible", run_text(run_.config), map_.axes.size(),
+                       map_.sweep_seconds, feasible, map_.answers.size());
+  }
+  void keep() override { write_map(run_.record, map_); }
+
+ private:
+  const PlannedRun& run_;
+  const RunnerHooks& hooks_;
+  OrientationMap map_;
+};
+
+/// Whether more timed solves are asked for than when the record was made, and would be made now. A record
+/// that was asked the same is as good as another one would be.
+bool wants_more_samples(const RunConfig& config, const RecordSummary& record) {
+  double spent = 0;
+  for (const Seconds& sample : record.samples) spent += sample.solve;
+  return (record.repeat < config.repeat || record.budget_seconds < config.budget_seconds) &&
+         record.samples.size() < static_cast<std::size_t>(config.repeat) && spent < config.budget_seconds;
+}
+
+}  // namespace
+
+std::unique_ptr<Attempt> make_attempt(const PlannedRun& run, const RunnerHooks& hooks) {
+  if (run.config.map) return std::make_unique<Mapping>(run, hooks);
+  return std::make_unique<Solve>(run, hooks);
+}
+
+RunState state_of(const PlannedRun& run) {
+  std::error_code ignored;
+  if (!fs::exists(run.record, ignored)) return RunState::missing;
+  if (run.config.map && is_map(run.record)) {
+    const MapSummary map = read_map(run.record);
+    return map.axes == map.asked ? RunState::finished : RunState::missing;
+  }
+  const RecordSummary record = read_record(run.record);
+  if (!record.error.empty()) return RunState::failed;
+  if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
+  if (wants_more_samples(run.config, record)) return RunState::few_samples;
+  return RunState::finished;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,104 @@
+#include "experiment/top_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "experiment/run_text.hpp"
+#include "experiment/table_parts.hpp"
+#include "problem/spinning.hpp"
+
+namespace kreisel {
+namespace {
+
+Sheet empty_sheet(bool certified) {
+  std::vector<Sheet::Column> columns = {{"label", "", ""},
+                                        {"model", "", "model", true},
+                                        {"grid", "", "grid", true},
+                                        {"problem", "", "problem", true},
+                                        {"formulation", "", "formulation", true},
+                                        {"settings", "", "settings", true},
+                                        {"termination", "", "", true},
+                                        {"objective", "", "f"},
+                                        {"mass_percent", "", "mass %"},
+                                        {"solid_off_axis_mm", "solid", "off, mm"},
+                                        {"solid_tilt_degrees", "solid", "tilt"},
+                                        {"solid_height_mm", "solid", "height"},
+                                        {"solid_moment_ratio", "solid", "I/I2"},
+                                        {"solid_rpm", "solid", "rpm"},
+                                        {"part_height_mm", "part", "height"},
+                                        {"part_moment_ratio", "part", "I/I2"},
+                                        {"part_rpm", "part", "rpm"},
+                                        {"omega_reduction", "reduction", "ours"},
+                                        {"omega_reduction_published", "reduction", "paper"},
+                                        {"verified", "", "verified", true}};
+  if (certified) columns.push_back({"gap_percent", "", "gap %"});
+  return Sheet(std::move(columns));
+}
+
+std::string settings_text(const RunConfig& config) {
+  std::vector<std::string> parts;
+  for (const auto& [name, value] : settings_of(config, "problem"))
+    parts.push_back(fmt::format("{}={}", name, value));
+  return parts.empty() ? "defaults" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::vector<Cell> row_of(const RecordedRun& run, const std::optional<Published>& published, bool certified) {
+  const RunConfig& config = run.run.config;
+  const SolveCells solve(run);
+  std::vector<Cell> row = {run.run.label,      model_text(config),    grid_text(run),        config.problem,
+                           config.formulation, settings_text(config), termination_text(run), solve.objective};
+  if (has_result(run) && run.record->written[S1] > 0) {
+    const RecordSummary& r = *run.record;
+    const bool falls = config.problem != "yoyo";  // about its own centre gravity turns nothing
+    const SpinState solid = spin_state(r.solid), part = spin_state(r.written);
+    const auto rpm = [&](const Moments& s) {
+      return falls ? Cell::of(omega_min_rpm(s, r.length_mm), "{:.0f}") : Cell::none();
+    };
+    row.insert(
+        row.end(),
+        {Cell::of(100 * r.written[S1] / r.solid[S1], "{:.1f}"),
+         Cell::of(solid.off_axis * r.length_mm, "{:.2f}"), Cell::of(solid.tilt_degrees, "{:.2f}"),
+         Cell::of(solid.height * r.length_mm, "{:.2f}"), Cell::of(solid.moment_ratio, "{:.3f}"), rpm(r.solid),
+         Cell::of(part.height * r.length_mm, "{:.2f}"), Cell::of(part.moment_ratio, "{:.3f}"), rpm(r.written),
+         falls
+             ? Cell::of(omega_min_rpm(r.solid, r.length_mm) / omega_min_rpm(r.written, r.length_mm), "{:.2f}")
+             : Cell::none()});
+  } else {
+    row.insert(row.end(), 10, Cell::none());
+  }
+  const PublishedRow* paper = find_row(run, published);
+  row.push_back(paper ? Cell::of(paper->omega_reduction, "{:.2f}") : Cell::none());
+  row.push_back(solve.verified);
+  if (certified) row.push_back(gap_cell(run));
+  return row;
+}
+
+}  // namespace
+
+Tables top_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>& published) {
+  const bool certified = any_certified(runs);
+  Tables tables;
+  for (const RecordedRun& run : runs) {
+    Block& block = find_or_add(
+        tables.blocks, [&](const Block& b) { return b.heading == run.run.label; },
+        [&] {
+          return Block{run.run.label, empty_sheet(certified), ""};
+        });
+    block.sheet.add(row_of(run, published, certified));
+    block.notes += note_of(run);
+  }
+  tables.legend =
+      "off, tilt: of the solid's centre of mass, and of its principal axis nearest to z, from the axis; "
+      "height: of the centre of mass, mm;\n"
+      "I/I2: moment about that axis over the next; rpm: least speed of a stable spin [SpinIt, eq. 1], none "
+      "unless the moment is the largest;\n"
+      "reduction: rpm of the solid, as if it were balanced, over rpm of the part as written\n";
+  if (certified) tables.legend += certified_legend;
+  tables.legend += provenance_text(runs) + '\n';
+  if (published) tables.legend += fmt::format("paper: {}\n", published->source);
+  return tables;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,79 @@
+#include "experiment/voids_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "experiment/run_text.hpp"
+#include "experiment/table_parts.hpp"
+
+namespace kreisel {
+namespace {
+
+Sheet empty_sheet() {
+  return Sheet({{"label", "", "label", true},
+                {"model", "", "model", true},
+                {"grid", "", "grid", true},
+                {"problem", "", "problem", true},
+                {"formulation", "", "formulation", true},
+                {"termination", "", "termination", true},
+                {"objective", "", "f"},
+                {"verified", "", "verified", true},
+                {"voids_mm3", "here", "mm^3"},
+                {"largest_percent", "here", "largest, %"},
+                {"islands", "here", "islands"},
+                {"voids", "here", "voids"},
+                {"cuts", "here", "cuts"},
+                {"published_voids", "paper", "voids"},
+                {"published_cuts", "paper", "cuts"}});
+}
+
+const PublishedRow::Voids* printed(const RecordedRun& run, const std::optional<Published>& published) {
+  if (!published) return nullptr;
+  const auto at = std::ranges::find_if(published->rows, [&](const PublishedRow& row) {
+    return row.voids && row.model == model_text(run.run.config) &&
+           (row.label.empty() || row.label == run.run.label);
+  });
+  return at == published->rows.end() ? nullptr : &*at->voids;
+}
+
+template <class Number>
+Cell count(Number n) {
+  return fmt::format("{}", n);
+}
+
+}  // namespace
+
+Tables voids_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>& published) {
+  Sheet sheet = empty_sheet();
+  std::string notes;
+  for (const RecordedRun& run : runs) {
+    const RunConfig& config = run.run.config;
+    const SolveCells solve(run);
+    std::vector<Cell> cells = {run.run.label,      model_text(config),    grid_text(run),  config.problem,
+                               config.formulation, termination_text(run), solve.objective, solve.verified};
+    if (has_result(run)) {
+      const RecordSummary& r = *run.record;
+      const std::optional<double> largest =
+          r.voids ? std::optional(100 * r.largest_void_mm3 / r.voids_mm3) : std::nullopt;
+      cells.insert(cells.end(), {Cell::of(r.voids_mm3, "{:.5g}"), Cell::of(largest, "{:.2f}"),
+                                 count(r.islands), count(r.voids), count(r.cuts)});
+    } else {
+      cells.insert(cells.end(), 5, Cell::none());
+    }
+    const PublishedRow::Voids* paper = printed(run, published);
+    cells.push_back(paper ? count(paper->pieces) : Cell::none());
+    cells.push_back(paper ? count(paper->cuts) : Cell::none());
+    sheet.add(std::move(cells));
+    notes += note_of(run);
+  }
+  Tables tables{
+      {{"", std::move(sheet), notes}},
+      "voids: pieces of the void that hang together; largest: its share of them; islands: pieces loose in "
+      "one; cuts: planes that open every void, chosen greedily, so no more than these are needed\n" +
+          provenance_text(runs) + '\n'};
+  if (published) tables.legend += fmt::format("paper: {}; {}\n", published->source, published->machine);
+  return tables;
+}
+
+}  // namespace kreisel

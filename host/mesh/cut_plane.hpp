@@ -1,0 +1,25 @@
+// cut_plane.hpp - a solid cut by a horizontal plane, and closed again.
+#pragma once
+
+#include <vector>
+
+#include "mesh/fill_polygon.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace kreisel {
+
+/// A blind hole from the cut upwards: a prism over a polygon.
+struct BlindHole {
+  std::vector<Point2> polygon;  ///< counter-clockwise seen from above; empty: none
+  double depth = 0;             ///< > 0
+};
+
+/// The part of a solid above the plane z = height, closed by a flat cap, with a blind hole in it. The plane
+/// is moved up by as little as it takes to clear all vertices, less than 1e-6 of the mesh's size, so that it
+/// cuts edges alone: the surface along the cut stays a manifold.
+///
+/// @return  empty where nothing is above
+/// @throws InputError  the hole's polygon does not lie inside the section; a section that crosses itself
+[[nodiscard]] TriangleMesh above_plane(const TriangleMesh& solid, double height, const BlindHole& hole = {});
+
+}  // namespace kreisel

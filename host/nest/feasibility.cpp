@@ -1,0 +1,68 @@
+#include "nest/feasibility.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "nest/envelope.hpp"
+#include "nest/peel.hpp"
+#include "unknown_name.hpp"
+
+namespace kreisel::nest {
+namespace {
+
+struct Entry {
+  std::string_view name;
+  std::unique_ptr<Feasibility> (*make)(device::Device&, const Nesting&, int resolution);
+};
+
+template <class Way>
+std::unique_ptr<Feasibility> make_on(device::Device& device, const Nesting& nesting, int resolution) {
+  return std::make_unique<Way>(device, nesting, resolution);
+}
+
+constexpr std::array ways{Entry{"peel", make_on<Peel>}, Entry{"envelope", make_on<Envelope>}};
+
+static_assert(int(Fault::none) == NEST_GOOD && int(Fault::outside_view) == NEST_OUTSIDE &&
+              int(Fault::swept) == NEST_SWEPT && int(Fault::uncovered) == NEST_UNCOVERED &&
+              int(Fault::sticks_out) == NEST_STICKS_OUT);
+
+const char* in_words(Fault fault) {
+  switch (fault) {
+    case Fault::outside_view:
+      return "the inner shape lies outside the outer one's box";
+    case Fault::swept:
+      return "the outer shape would run through the inner one";
+    case Fault::uncovered:
+      return "the inner shape sticks out, nothing of the outer one lies beyond";
+    case Fault::sticks_out:
+      return "the inner shape sticks out, the outer one beyond is seen from outside";
+    default:
+      return "valid";
+  }
+}
+
+}  // namespace
+
+std::string to_string(const Verdict& verdict, const Nesting& nesting) {
+  if (verdict.valid()) return in_words(verdict.fault);
+  const Vec3 at = nesting.to_file(verdict.point);
+  const std::string pixel = verdict.x < 0 ? "" : fmt::format(", pixel {},{}", verdict.x, verdict.y);
+  return fmt::format("invalid: {} at {:.6g},{:.6g},{:.6g} (half {}{})", in_words(verdict.fault), at[0], at[1],
+                     at[2], verdict.half == 0 ? "plus" : "minus", pixel);
+}
+
+std::vector<Verdict> Feasibility::check(std::span<const Placement> placements) {
+  std::vector<Verdict> verdicts;
+  for (const Placement& placement : placements) verdicts.push_back(check(placement));
+  return verdicts;
+}
+
+std::unique_ptr<Feasibility> make_feasibility(std::string_view name, device::Device& device,
+                                              const Nesting& nesting, int resolution) {
+  for (const Entry& way : ways)
+    if (way.name == name) return way.make(device, nesting, resolution);
+  throw unknown_name("feasibility test", name, names_of(ways));
+}
+
+}  // namespace kreisel::nest

@@ -1,0 +1,46 @@
+#include "problem/yoyo.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "body/support_polygon.hpp"
+#include "error.hpp"
+#include "parse.hpp"
+
+namespace kreisel {
+namespace {
+
+/// A centre of mass outside the body's shadow along any of three axes is out of reach; so is one outside the
+/// hull as such, which the solver finds out.
+void require_within(const Body& body) {
+  for (int along = 0; along < 3; ++along) {
+    std::vector<Vec2> shadow;
+    for (const Vec3& v : body.local.vertices) shadow.emplace_back(v[(along + 1) % 3], v[(along + 2) % 3]);
+    if (hull_of(std::move(shadow)).inside(Vec2::Zero()) <= 0)
+      throw InputError(
+          fmt::format("the axle's centre {:.4g},{:.4g},{:.4g} lies outside the body; expected a point within "
+                      "it (--contact, model coordinates in mm), where its centre of mass can be",
+                      body.contact[0], body.contact[1], body.contact[2]));
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Problem> make_yoyo(const ProblemSettings& settings, const Body& body) {
+  YoyoOptions options;
+  for (const auto& [name, text] : settings) {
+    const double value = parse<double>(text).value_or(-1);
+    if (name == "form" && (text == "trace" || text == "angle"))
+      options.form = text == "angle" ? SpinForm::angle : SpinForm::trace;
+    else if (name == "gamma_i" && value > 0 && std::isfinite(value))
+      options.gamma_i = value;
+    else
+      throw InputError(fmt::format("problem.{} = {} for yoyo; expected gamma_i > 0, or form = trace or angle",
+                                   name, text));
+  }
+  require_within(body);
+  return std::make_unique<Yoyo>(options);
+}
+
+}  // namespace kreisel

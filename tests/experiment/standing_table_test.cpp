@@ -1,0 +1,58 @@
+#include "experiment/standing_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include "experiment/data_folder.hpp"
+#include "experiment/recorded_runs.hpp"
+#include "experiment/voids_table.hpp"
+
+namespace kreisel {
+namespace {
+
+RecordedRun dinosaur(const std::string& label) {
+  RecordedRun run = optimal_run();
+  run.run.label = label;
+  run.run.config.body.model = "dino";
+  run.run.config.problem = "stand";
+  run.run.config.formulation = "voxel";
+  return run;
+}
+
+TEST(StandingTable, GivesHeightAndTiltBesideThePapers) {
+  RecordedRun swept = dinosaur("plane sweep"), none = dinosaur("optimum");
+  swept.run.config.solver = "plane-sweep";
+  swept.record->verified_values = {
+      {"height_share", 0.5125}, {"off_centroid_mm", 0.25}, {"tilt_degrees", 3.5}};
+  swept.record->written[S1] = 0.5;
+  swept.record->mass_unit_grams = 40;
+  none.record.reset();
+  const Tables tables = standing_tables({swept, none}, read_published(published_file("spinit_standing")));
+  ASSERT_EQ(tables.blocks.size(), 1u);
+  EXPECT_EQ(tables.blocks[0].heading, "dino 40x26x26");
+  const std::string text = tables.blocks[0].sheet.text();
+  EXPECT_EQ(squeezed_line(text, "plane sweep"),
+            "plane sweep voxel plane-sweep centre optimal 0.50 | 51.2 0.250 | 3.50 | 20.00 yes")
+      << text;
+  EXPECT_EQ(squeezed_line(text, "optimum"), "optimum voxel ipopt centre not run - | - - | - | - -") << text;
+  EXPECT_EQ(squeezed_line(text, "paper"), "paper - plane-sweep centre - - | 56 - | 1 | - -") << text;
+  EXPECT_EQ(tables.blocks[0].sheet.rows().size(), 4u);
+}
+
+TEST(VoidsTable, CountsVoidsAndCutsBesideThePapersOfThatModelAndLabel) {
+  RecordedRun run = dinosaur("hand");
+  run.run.config.body.model = "armadillo";
+  run.record->voids = 3;
+  run.record->islands = 1;
+  run.record->cuts = 2;
+  run.record->voids_mm3 = 2000;
+  run.record->largest_void_mm3 = 1500;
+  RecordedRun other = run;
+  other.run.label = "shell";
+  const Tables tables = voids_tables({run, other}, read_published(published_file("spinit_voids")));
+  const std::string text = tables.blocks[0].sheet.text();
+  EXPECT_TRUE(squeezed_line(text, "hand").ends_with("| 2000 75.00 1 3 2 | 1 3")) << text;
+  EXPECT_TRUE(squeezed_line(text, "shell").ends_with("| 2000 75.00 1 3 2 | 5 2")) << text;
+}
+
+}  // namespace
+}  // namespace kreisel
