@@ -65,7 +65,9 @@ void print_spin(const Simulation& s) {
   if (s.config.problem != "yoyo") row(s, "eq. 1", eq1);
   for (std::size_t i = 0; i < contacts.size(); ++i)
     row(s, contacts[i].second, [&](const SimulatedBody& b) {
-      return describe(b.spin->stable_rpm[i]) + (b.verdict.ok ? "" : ", were it balanced");
+      const bool balanced =
+          b.verdict.values.at("off_axis") <= 1e-3 && b.verdict.values.at("tilt_degrees") <= 0.1;
+      return describe(b.spin->stable_rpm[i]) + (balanced ? "" : ", were it balanced");
     });
   row(s, "steady", [](const SimulatedBody& b) { return steady(b.spin->at_speed); });
   row(s, "motion", [](const SimulatedBody& b) { return motion(*b.spin); });
