@@ -33,8 +33,9 @@ struct RunConfig {
 };
 
 /// Sets one field from text, as the command line and TOML files name them: model, problem, formulation,
-/// solver, domain, resolution (N or NXxNYxNZ), wall, axis, contact, up ("x,y,z"), unit, size, density,
-/// void-density, fineness, device, precision, repeat, budget, certify, and GROUP.NAME for settings.
+/// solver, domain, resolution (N or NXxNYxNZ), level (of an octree: 2^level cells), wall, axis, contact, up
+/// ("x,y,z"), unit, size, density, void-density, fineness, device, precision, repeat, budget, certify, and
+/// GROUP.NAME for settings.
 ///
 /// @throws InputError  unknown key or unfit value; names both and what was expected
 void set_field(RunConfig& config, std::string_view key, std::string_view value);

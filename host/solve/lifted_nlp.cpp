@@ -27,7 +27,7 @@ class LiftedNlp final : public Nlp {
     n = static_cast<Index>(n_ + lifted_count());
     m = static_cast<Index>(ten + rows_.size() + own_.lower.size());
     jac = static_cast<Index>(ten * n_ + ten + entries_.size() + own_.entries.size());
-    hess = static_cast<Index>((linear_ ? 0 : n_) + ten * (ten + 1) / 2);
+    hess = static_cast<Index>((linear_ ? 0 : n_) + ten * (ten + 1) / 2 + regulariser().size());
     style = C_STYLE;
     return true;
   }
@@ -43,8 +43,13 @@ class LiftedNlp final : public Nlp {
     return true;
   }
 
-  bool get_starting_point(Index, bool, Number* x, bool, Number*, Number*, Index, bool, Number*) override {
-    std::ranges::copy(start_, x);
+  bool get_starting_point(Index, bool, Number* x, bool with_z, Number* z_L, Number* z_U, Index,
+                          bool with_lambda, Number* lambda) override {
+    start_variables(x, with_z, z_L, z_U, with_lambda, lambda);
+    if (with_z) {
+      std::fill_n(z_L + n_, lifted_count(), 0.0);
+      std::fill_n(z_U + n_, lifted_count(), 0.0);
+    }
     const Moments s = task_.mass.total(task_.formulation.moments(start_));
     std::copy_n(s.data(), ten, x + n_);
     if (margin()) x[n_ + ten] = margin_at(s);
@@ -53,7 +58,7 @@ class LiftedNlp final : public Nlp {
 
   bool eval_f(Index, const Number* x, bool, Number& value) override {
     ++evaluations_.objective;
-    value = margin() ? x[n_ + ten] : task_.problem.value(lifted(x));
+    value = margin() ? x[n_ + ten] : task_.problem.value(lifted(x)) + regulariser_value(x);
     return true;
   }
 
@@ -66,6 +71,7 @@ class LiftedNlp final : public Nlp {
     }
     const Moments g = task_.problem.gradient(lifted(x));
     std::copy_n(g.data(), ten, gradient + n_);
+    add_regulariser_gradient(x, gradient);
     return true;
   }
 
@@ -118,6 +124,10 @@ class LiftedNlp final : public Nlp {
           *row++ = static_cast<Index>(n_ + a);
           *column++ = static_cast<Index>(n_ + b);
         }
+      for (const SparseRows::Entry& e : regulariser()) {
+        *row++ = e.row;
+        *column++ = e.column;
+      }
       return true;
     }
     ++evaluations_.hessian;
@@ -132,10 +142,14 @@ class LiftedNlp final : public Nlp {
     const Matrix10 h = margin() ? Matrix10::Zero() : Matrix10(factor * task_.problem.hessian(lifted(x)));
     for (int a = 0; a < h.rows(); ++a)
       for (int b = 0; b <= a; ++b) *values++ = h(a, b);
+    for (const SparseRows::Entry& e : regulariser()) *values++ = factor * e.value;
     return true;
   }
 
  private:
+  [[nodiscard]] Moments lagrange_weight(std::span<const double> multipliers) const override {
+    return task_.mass.contrast * Eigen::Map<const Moments>(multipliers.data());
+  }
   [[nodiscard]] std::size_t lifted_count() const { return margin() ? ten + 1 : ten; }
   [[nodiscard]] Moments lifted(const Number* x) const { return Eigen::Map<const Moments>(x + n_); }
 
