@@ -93,7 +93,9 @@ TEST(OctreeFormulation, SplitsUntilOnlyVoxelsAreFractionalOrLieAlongTheVoid) {
       ++along;
     }
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (x[c] >= 0.01 && x[c] <= 0.99) EXPECT_EQ(cells[c].edge, 1) << c;
+    if (x[c] >= 0.01 && x[c] <= 0.99) {
+      EXPECT_EQ(cells[c].edge, 1) << c;
+    }
     merged += cells[c].edge > 1;
   }
   EXPECT_GT(along, 500u);
