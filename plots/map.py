@@ -209,12 +209,12 @@ def together(maps):
         norm, colours = scale_of(found)
         draw(panel, found, 0, nearest(found["axes"]), colours, norm)
         values = values_of(found)
-        best = f", f {values.min():.3f} to {np.percentile(values, 95):.3f}" if len(values) else ""
-        panel.set_title(f"{found['model']}: {panel.get_title()}{best}", fontsize=8.5)
+        best = f"; f from {values.min():.3f}" if len(values) and not DRAWN[found["problem"]][4] else ""
+        panel.set_title(f"{found['model']}: {panel.get_title('left')}{best}", fontsize=8.5)
     places = sorted({through_text(found) for found in maps})
     result.suptitle(f"Where they can {maps[0]['problem']}", x=0.01, ha="left", fontweight="bold")
     lower = style.caption(result, f"Direction of the axis ({', '.join(places)}) in each model's coordinates, Mollweide's "
-                          "equal-area projection; darker is better, each body on a scale of its own. "
+                          "equal-area projection; yellow is best, each body on a scale of its own. "
                           + records.provenance_line(maps))
     legend(result, maps, lower)
     result.subplots_adjust(left=0.02, right=0.98, top=0.92, bottom=lower + 0.06, hspace=0.14, wspace=0.03)
