@@ -20,7 +20,7 @@ namespace {
 /// A line of the table: what, and what it is for the solid and the part.
 template <class Of>
 void row(const Simulation& s, std::string_view what, const Of& of) {
-  fmt::print("  {:<10} {:<50} {}\n", what, of(s.solid), s.hollow ? of(s.part) : "");
+  fmt::print("  {:<10} {:<56} {}\n", what, of(s.solid), s.hollow ? of(s.part) : "");
 }
 
 std::string eq1(const SimulatedBody& body) {
@@ -107,7 +107,7 @@ void print_float(const Simulation& s) {
   });
   for (const std::size_t i : {0u, 1u})
     row(s, i == 0 ? "righting" : "across", [&](const SimulatedBody& b) -> std::string {
-      if (b.righting.empty()) return "sinks";
+      if (b.righting.empty()) return "submerged, or sinks";
       const RightingArm& arm = b.righting[i];
       const double most = *std::ranges::max_element(arm.gz) * s.length_mm;
       return fmt::format("slope {:.3f} mm, {}", arm.metacentric_height * s.length_mm,
@@ -126,7 +126,7 @@ void print_simulation(const Simulation& s) {
                                                                             : "in free fall",
                                        s.spin.rpm, s.spin.seconds, s.spin.tilt_degrees)
                          : "");
-  fmt::print("  {:<10} {:<50} {}\n", "", "solid", s.hollow ? "part" : "");
+  fmt::print("  {:<10} {:<56} {}\n", "", "solid", s.hollow ? "part" : "");
   if (s.part.spin)
     print_spin(s);
   else if (s.config.problem == "stand")
