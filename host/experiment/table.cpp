@@ -7,6 +7,7 @@
 #include "experiment/certificate_table.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/inertia_table.hpp"
+#include "experiment/octree_table.hpp"
 #include "experiment/published_table.hpp"
 #include "experiment/run_text.hpp"
 #include "experiment/runner.hpp"
@@ -27,6 +28,9 @@ const std::vector<TableKind>& table_kinds() {
        formulations_tables},
       {"certificate", "a row a run: certified bound, gap, boxes, seconds", certificate_tables},
       {"inertia", "a block a run: inertia tensor and principal moments before and after", inertia_tables},
+      {"octree",
+       "a row a run: cells, seconds and memory from the model to the written part, and what it reaches",
+       octree_tables},
   };
   return all;
 }

@@ -15,6 +15,7 @@
 #include "fabricate/verify.hpp"
 #include "fabricate/void_surface.hpp"
 #include "formulation/meet_constraints.hpp"
+#include "memory.hpp"
 #include "mesh/write.hpp"
 #include "run/remedies.hpp"
 #include "run/run_domain.hpp"
@@ -168,6 +169,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   const auto tell = [&](const std::string& step) {
     if (progress) progress(step);
   };
+  const Stopwatch whole;
   // What needs no work is checked first, so that a typing error costs no time.
   const ProblemEntry& asked = find_problem(config.problem);
   const FormulationEntry& way = find_formulation(config.formulation);
@@ -239,10 +241,13 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
     stop_if_interrupted();
   }
 
+  const Stopwatch certificate;
+  double certifying = 0;
   if (config.certify > 0) {
     tell("certify");
     add_certificate(r, {*problem, *formulation, mass, device}, domain.rays(), solver, options);
     stop_if_interrupted();
+    certifying = certificate.seconds();
   }
 
   tell("round, extract, verify");
@@ -253,6 +258,8 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   output.cavity = to_model(body.frame, domain.exact ? mesh_cavity(r, task, body, solver, options, fit)
                                                     : round_to_voxels(r, task, fit));
   r.verified = write_and_verify(output, body, *problem, mesh_file);
+  r.whole_seconds = whole.seconds() - certifying;
+  r.peak_bytes = peak_memory();
   return output;
 }
 

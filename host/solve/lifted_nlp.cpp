@@ -147,7 +147,8 @@ class LiftedNlp final : public Nlp {
   }
 
  private:
-  [[nodiscard]] Moments lagrange_weight(std::span<const double> multipliers) const override {
+  [[nodiscard]] Moments lagrange_weight(std::span<const double>,
+                                        std::span<const double> multipliers) const override {
     return task_.mass.contrast * Eigen::Map<const Moments>(multipliers.data());
   }
   [[nodiscard]] std::size_t lifted_count() const { return margin() ? ten + 1 : ten; }
