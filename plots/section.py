@@ -38,7 +38,7 @@ class Slab:
 
     def __init__(self, run, row):
         domain, body = run["domain"], run["body"]
-        self.run, self.mm = run, body["length"]
+        self.run, self.row, self.mm = run, row, body["length"]
         self.cell = domain["spacing"] * self.mm
         self.corner = domain["grid_origin"] * self.mm
         self.picked = np.flatnonzero(domain["intervals"][:, 1] == row)
@@ -71,9 +71,24 @@ class Slab:
                 if c[ray] + middle * (b[ray] + middle * q[9]) < 0:
                     yield ray, z0 * self.mm, z1 * self.mm
 
+    def cubes(self):
+        """Octree: the cells that the plane cuts, ix, iz, edge, and their fills."""
+        cells = self.run["solve"]["cells"]
+        row = self.row - cells[:, 1]
+        cut = (row >= 0) & (row < cells[:, 3])
+        return cells[cut][:, (0, 2, 3)], self.run["solve"]["x"][cut]
+
     def fills(self):
-        """Voxel: the fill of every cell of the plane, [nz, nx]; NaN outside the domain."""
+        """Voxel or octree: the fill of every voxel of the plane, [nz, nx]; NaN outside the domain."""
         grid, all_cells = self.run["domain"]["grid"], self.run["domain"]["intervals"]
+        if self.run["formulation"] == "octree":
+            plane, outside = np.full((grid[2], grid[0]), np.nan), np.full((grid[2], grid[0]), True)
+            for (ix, iz, edge), fill in zip(*self.cubes()):
+                plane[iz:iz + edge, ix:ix + edge] = fill
+            for ix, _, k0, k1 in self.cells:
+                outside[k0:k1, ix] = False
+            plane[outside] = np.nan
+            return plane
         lengths = all_cells[:, 3] - all_cells[:, 2]
         first = np.concatenate(([0], np.cumsum(lengths)))
         plane = np.full((grid[2], grid[0]), np.nan)
@@ -142,7 +157,7 @@ def draw_materials(axes, slab, files):
 
 
 def draw_interior(axes, slab):
-    if slab.run["formulation"] != "voxel":
+    if slab.run["formulation"] not in ("voxel", "octree"):
         # Neighbouring bars overlap by a hair, else the seams between them shine through.
         width = slab.cell * 1.03
         axes.bar(slab.x, slab.high - slab.low, width, slab.low, color=style.VOID, linewidth=0)
@@ -159,6 +174,12 @@ def draw_interior(axes, slab):
                 extent=(left, left + plane.shape[1] * slab.cell,
                         bottom, bottom + plane.shape[0] * slab.cell),
                 cmap=LinearSegmentedColormap.from_list("fill", (style.VOID, style.SOLID)))
+    if slab.run["formulation"] == "octree":
+        cubes, _ = slab.cubes()
+        x, z, edge = left + cubes[:, 0] * slab.cell, bottom + cubes[:, 1] * slab.cell, cubes[:, 2] * slab.cell
+        corners = np.stack([np.stack(corner, axis=1) for corner in
+                            ((x, z), (x + edge, z), (x + edge, z + edge), (x, z + edge), (x, z))], axis=1)
+        axes.add_collection(LineCollection(corners, colors=style.INK, alpha=0.35, linewidths=0.25, zorder=2))
 
 
 def centre(moments):
@@ -227,8 +248,8 @@ def main():
     if "error" in run:
         reason = run["error"].partition("\n")[0]
         raise records.BadRecord(f"{args.record}: a failed run ({reason}), expected a result")
-    if run["formulation"] not in ("rayrep", "voxel", "quadric") or len(run["domain"]["intervals"]) == 0:
-        raise records.BadRecord(f"{args.record}: no interior to cut, expected a ray-rep, voxel or quadric run")
+    if run["formulation"] not in ("rayrep", "voxel", "octree", "quadric") or len(run["domain"]["intervals"]) == 0:
+        raise records.BadRecord(f"{args.record}: no interior to cut, expected a ray-rep, voxel, octree or quadric run")
     records.save(draw(run, Slab(run, row_to_cut(run, args.row))), args.output)
     print(args.output)
 

@@ -38,7 +38,7 @@ def read(path):
 def bodies(found, kind):
     """(label, colour, what was simulated) of each body."""
     shown = BODIES if found["hollow"] else BODIES[:1]
-    return [(label, colour, {**found[name], **found[name][kind]}) for name, label, colour in shown]
+    return [(label, colour, {**found[name], **found[name][kind]}) for name, label, colour in shown if kind in found[name]]
 
 
 def draw_motion(axes, found):
@@ -54,30 +54,24 @@ def draw_motion(axes, found):
     axes.legend(fontsize=8)
 
 
-def mark_speeds(axes, found):
-    """Stable speeds as bands along the lower edge, eq. 1 as a line, the speed of the motion as a tick."""
-    for i, (label, colour, body) in enumerate(bodies(found, "spin")):
-        for low, high in body["stable_rpm_" + found["contact"]]:
-            axes.axvspan(low, high, ymin=0.02 + 0.035 * i, ymax=0.045 + 0.035 * i, color=colour, linewidth=0)
-        eq1 = body["values"]["omega_min_rpm"]
-        if np.isfinite(eq1):
-            axes.axvline(eq1, color=colour, linewidth=0.9, linestyle=style.LINES[2])
-    axes.axvline(found["rpm"], color=style.QUIET, linewidth=0.8)
-
-
 def draw_scan(upper, lower, found):
-    for label, colour, body in bodies(found, "spin"):
+    for i, (label, colour, body) in enumerate(bodies(found, "spin")):
         rpm, growth, _, tilt, _ = body["scan"].T
         upper.plot(rpm, tilt, color=colour, linewidth=1.2, marker="o", markersize=2, label=label)
-        lower.plot(rpm, growth, color=colour, linewidth=1.2, label=label)
+        lower.plot(rpm, np.where(growth > 0, growth, np.nan), color=colour, linewidth=1.2, label=label)
+        below = -(1 + i) * 0.05 * np.nanmax(found["solid"]["spin"]["scan"][:, 1])
+        lower.plot(rpm, np.where(growth == 0, below, np.nan), color=colour, linewidth=4, solid_capstyle="butt")
+        eq1 = body["values"]["omega_min_rpm"]
+        for axes in (upper, lower):
+            if np.isfinite(eq1):
+                axes.axvline(eq1, color=colour, linewidth=0.9, linestyle=style.LINES[2])
     for axes in (upper, lower):
-        mark_speeds(axes, found)
+        axes.axvline(found["rpm"], color=style.QUIET, linewidth=0.8)
         axes.set_xlim(0, rpm[-1])
         axes.set_xlabel("rpm")
     upper.set_title(f"largest tilt within {found['seconds']:g} s, degrees")
     upper.set_yscale("log")
     lower.set_title("growth of a small wobble, 1/s")
-    lower.set_ylim(bottom=-0.13 * lower.get_ylim()[1])
 
 
 def spin_figure(found):
@@ -90,8 +84,8 @@ def spin_figure(found):
         figure, panels = plt.subplots(1, 3, figsize=(12, 3.8))
         draw_motion(panels[0], found)
         draw_scan(panels[1], panels[2], found)
-        marks = ("; bands: stable by the spectrum; dotted: SpinIt's eq. 1; grey line: the speed on the left; no growth "
-                 "where there is no steady spin within 10 degrees of the axis")
+        marks = ("; bands: stable by the spectrum; dotted: SpinIt's eq. 1; grey line: the speed on the left; neither "
+                 "curve nor band where there is no steady spin within 10 degrees of the axis")
     contact = {"held": "the tip held in place", "gliding": "the tip gliding without friction", "free": "in free fall"}
     return figure, (f"{found['model']}, {contact[found['contact']]}, from a tilt of {found['tilt_degrees']:g} degrees{marks}. "
                     + records.provenance_line([found]))
@@ -126,7 +120,7 @@ def stand_figure(found):
         azimuth, angle = body["toppling"].T
         axes.plot(np.radians(np.append(azimuth, azimuth[0])), np.append(angle, angle[0]), color=colour, linewidth=1.4,
                   label=label)
-    axes.set_title("tilt of the ground at which it topples, degrees, by the downhill direction", fontsize=8)
+    axes.set_title("tilt of the ground at which it topples, degrees,\nby the downhill direction", fontsize=9, pad=14)
     axes.legend(fontsize=8, loc="lower left", bbox_to_anchor=(-0.1, -0.08))
     return figure, f"{found['model']}, standing. " + records.provenance_line([found])
 

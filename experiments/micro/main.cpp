@@ -115,6 +115,7 @@ int run(int argc, char** argv) {
     register_voxels(*machine, with_loops);
     register_meshes(*machine, with_loops);
   }
+  register_cells(standard, options.model);
   register_domain(standard, options.model);
 
   std::vector<std::string> arguments = with_defaults(options, made);

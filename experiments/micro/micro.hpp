@@ -56,6 +56,9 @@ void register_quadric(Machine& machine, bool reference);
 void register_voxels(Machine& machine, bool reference);
 void register_meshes(Machine& machine, bool reference);
 
+/// Sums of an octree's leaves beside the plain loop over the same leaves.
+void register_cells(Machine& machine, const std::string& model);
+
 /// Crossings beside Embree's rays, distances, and the whole way from mesh to domain.
 /// @param model  a name or a mesh file
 void register_domain(Machine& machine, const std::string& model);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "experiment/run_text.hpp"
@@ -14,17 +16,23 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// The numbers of one body.
-struct Speeds {
-  double eq1 = nan, gliding = nan, held = nan;  ///< rpm; NaN: at no speed
-};
+/// rpm; NaN: at no speed.
+double above(const Moments& s, double length_mm, Contact contact) {
+  return stable_above(stable_rpm(s, length_mm, contact)).value_or(nan);
+}
 
-Speeds speeds_of(const Problem& problem, const Moments& s, double length_mm) {
-  const auto above = [&](Contact contact) {
-    return stable_above(stable_rpm(s, length_mm, contact)).value_or(nan);
-  };
-  const auto values = problem.verify(s, length_mm).values;
-  return {values.at("omega_min_rpm"), above(Contact::gliding), above(Contact::held)};
+/// With which contact and how fast: a tenth above the part's least, or half-way (as a ratio) to the solid's
+/// where that is nearer; held where the part is stable gliding at no high speed. No speed: at none either.
+SpinCheckOptions motion_of(const RecordSummary& r) {
+  SpinCheckOptions options;
+  for (const Contact contact : {Contact::gliding, Contact::held}) {
+    const double part = above(r.written, r.length_mm, contact), solid = above(r.solid, r.length_mm, contact);
+    if (!(part > 0)) continue;
+    options.contact = contact;
+    options.rpm = solid > part ? std::min(1.1 * part, std::sqrt(part * solid)) : 1.1 * part;
+    break;
+  }
+  return options;
 }
 
 std::string strays(const SpinCheck& check) {
@@ -44,7 +52,8 @@ Sheet empty_sheet() {
     columns.push_back({fmt::format("{}_gliding_rpm", body), group, "gliding"});
     columns.push_back({fmt::format("{}_held_rpm", body), group, "held"});
   }
-  columns.push_back({"rpm", "", "at rpm"});
+  columns.push_back({"contact", "motion", "contact", true});
+  columns.push_back({"rpm", "motion", "rpm"});
   for (const char* body : {"solid", "part"}) {
     columns.push_back({fmt::format("{}_spectrum", body), body, "spectrum", true});
     columns.push_back({fmt::format("{}_largest_tilt", body), body, "strays, deg", true});
@@ -59,16 +68,17 @@ std::vector<Cell> row_of(const RecordedRun& run) {
   solid.frame.length = r.length_mm;
   const auto problem = make_problem(run.run.config.problem, settings_of(run.run.config, "problem"), solid);
   std::vector<Cell> row = {model_text(run.run.config)};
-  SpinCheckOptions options;
   for (const Moments& s : {r.solid, r.written}) {
-    const Speeds speeds = speeds_of(*problem, s, r.length_mm);
-    for (const double rpm : {speeds.eq1, speeds.gliding, speeds.held}) row.push_back(Cell::of(rpm, "{:.0f}"));
-    options.rpm = 1.1 * speeds.gliding;
+    row.push_back(Cell::of(problem->verify(s, r.length_mm).values.at("omega_min_rpm"), "{:.0f}"));
+    for (const Contact contact : {Contact::gliding, Contact::held})
+      row.push_back(Cell::of(above(s, r.length_mm, contact), "{:.0f}"));
   }
+  const SpinCheckOptions options = motion_of(r);
   if (options.invalid()) {
-    while (row.size() < 12) row.push_back(Cell::none());
+    row.insert(row.end(), 6, Cell::none());
     return row;
   }
+  row.emplace_back(std::string(name_of(options.contact)));
   row.push_back(Cell::of(options.rpm, "{:.0f}"));
   for (const Moments& s : {r.solid, r.written}) {
     const SpinCheck check = check_spin(s, r.length_mm, options);
@@ -88,14 +98,15 @@ Tables simulation_tables(const std::vector<RecordedRun>& runs, const std::option
     if (has_result(run) && !find_problem(run.run.config.problem).upright && run.record->written[S1] > 0)
       sheet.add(row_of(run));
   }
-  return {{{"", std::move(sheet), notes}},
-          fmt::format("eq. 1: about the principal axis nearest to the spin axis; gliding, held: by the "
-                      "spectrum, taking the "
-                      "axis as principal and the centre of mass on it;\n"
-                      "at rpm: 1.1 times the part's least, gliding, from a tilt of 1 degree for 10 s; no "
-                      "steady spin: none "
-                      "within {} degrees of the axis\n{}\n",
-                      near_axis, provenance_text(runs))};
+  return {
+      {{"", std::move(sheet), notes}},
+      fmt::format(
+          "eq. 1: about the principal axis nearest to the spin axis; gliding, held: by the spectrum, taking "
+          "the axis as principal and the centre of mass on it;\n"
+          "motion: from a tilt of 1 degree for 10 s, at 1.1 times the part's least speed or, where nearer, "
+          "half-way to the solid's;\n"
+          "no steady spin: none within {} degrees of the axis\n{}\n",
+          near_axis, provenance_text(runs))};
 }
 
 }  // namespace kreisel

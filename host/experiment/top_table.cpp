@@ -12,7 +12,9 @@
 namespace kreisel {
 namespace {
 
-Sheet empty_sheet(bool certified) {
+/// @param tops  any of the runs is of a problem with a least speed
+Sheet empty_sheet(bool tops, bool certified) {
+  const auto of_tops = [&](const char* heading) { return tops ? heading : ""; };
   std::vector<Sheet::Column> columns = {{"label", "", ""},
                                         {"model", "", "model", true},
                                         {"grid", "", "grid", true},
@@ -24,23 +26,29 @@ Sheet empty_sheet(bool certified) {
                                         {"mass_percent", "", "mass %"},
                                         {"solid_off_axis_mm", "solid", "off, mm"},
                                         {"solid_tilt_degrees", "solid", "tilt"},
-                                        {"solid_height_mm", "solid", "height"},
+                                        {"solid_height_mm", "solid", of_tops("height")},
                                         {"solid_moment_ratio", "solid", "I/I2"},
-                                        {"solid_rpm", "solid", "rpm"},
-                                        {"part_height_mm", "part", "height"},
+                                        {"solid_rpm", "solid", of_tops("rpm")},
+                                        {"part_height_mm", "part", of_tops("height")},
                                         {"part_moment_ratio", "part", "I/I2"},
-                                        {"part_rpm", "part", "rpm"},
-                                        {"omega_reduction", "reduction", "ours"},
-                                        {"omega_reduction_published", "reduction", "paper"},
+                                        {"part_rpm", "part", of_tops("rpm")},
+                                        {"omega_reduction", "reduction", of_tops("ours")},
+                                        {"omega_reduction_published", "reduction", of_tops("paper")},
                                         {"verified", "", "verified", true}};
   if (certified) columns.push_back({"gap_percent", "", "gap %"});
   return Sheet(std::move(columns));
 }
 
+bool falls(const RunConfig& config) { return config.problem != "yoyo"; }  // that spins about its own centre
+
+/// What tells the rows of a block apart: how the body lies and is parted, and what its problem weighs.
 std::string settings_text(const RunConfig& config) {
   std::vector<std::string> parts;
-  for (const auto& [name, value] : settings_of(config, "problem"))
-    parts.push_back(fmt::format("{}={}", name, value));
+  for (const auto& [name, value] : describe(config)) {
+    const bool of_body = name == "axis" || name == "contact" || name == "axle";
+    if (of_body || name.starts_with("problem."))
+      parts.push_back(fmt::format("{}={}", of_body ? name : name.substr(8), value));
+  }
   return parts.empty() ? "defaults" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -51,10 +59,9 @@ std::vector<Cell> row_of(const RecordedRun& run, const std::optional<Published>&
                            config.formulation, settings_text(config), termination_text(run), solve.objective};
   if (has_result(run) && run.record->written[S1] > 0) {
     const RecordSummary& r = *run.record;
-    const bool falls = config.problem != "yoyo";  // about its own centre gravity turns nothing
     const SpinState solid = spin_state(r.solid), part = spin_state(r.written);
     const auto rpm = [&](const Moments& s) {
-      return falls ? Cell::of(omega_min_rpm(s, r.length_mm), "{:.0f}") : Cell::none();
+      return falls(config) ? Cell::of(omega_min_rpm(s, r.length_mm), "{:.0f}") : Cell::none();
     };
     row.insert(
         row.end(),
@@ -78,23 +85,27 @@ std::vector<Cell> row_of(const RecordedRun& run, const std::optional<Published>&
 }  // namespace
 
 Tables top_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>& published) {
-  const bool certified = any_certified(runs);
+  const bool certified = any_certified(runs),
+             tops = std::ranges::any_of(runs, [](const RecordedRun&run) { return falls(run.run.config); });
   Tables tables;
   for (const RecordedRun& run : runs) {
     Block& block = find_or_add(
         tables.blocks, [&](const Block& b) { return b.heading == run.run.label; },
         [&] {
-          return Block{run.run.label, empty_sheet(certified), ""};
+          return Block{run.run.label, empty_sheet(tops, certified), ""};
         });
     block.sheet.add(row_of(run, published, certified));
     block.notes += note_of(run);
   }
   tables.legend =
       "off, tilt: of the solid's centre of mass, and of its principal axis nearest to z, from the axis; "
-      "height: of the centre of mass, mm;\n"
-      "I/I2: moment about that axis over the next; rpm: least speed of a stable spin [SpinIt, eq. 1], none "
-      "unless the moment is the largest;\n"
-      "reduction: rpm of the solid, as if it were balanced, over rpm of the part as written\n";
+      "I/I2: moment about that axis over the next\n";
+  if (tops)
+    tables.legend +=
+        "height: of the centre of mass, mm; rpm: least speed of a stable spin [SpinIt, eq. 1], none unless "
+        "the "
+        "moment is the largest;\n"
+        "reduction: rpm of the solid, as if it were balanced, over rpm of the part as written\n";
   if (certified) tables.legend += certified_legend;
   tables.legend += provenance_text(runs) + '\n';
   if (published) tables.legend += fmt::format("paper: {}\n", published->source);

@@ -1,16 +1,36 @@
 #include "formulation/dense_void.hpp"
 
+#include <algorithm>
+#include <bit>
+
 namespace kreisel {
 
 DenseVoid::DenseVoid(const VoxelSet& set) : n_(set.domain().grid.n) {
   for (int& n : n_) n += 2;
-  cells_.assign(static_cast<std::size_t>(n_[0]) * n_[1] * n_[2], 0);
+  words_ = static_cast<std::size_t>(n_[0]) / 64 + 2;
+  bits_.assign(words_ * n_[1] * n_[2], 0);
   const auto& intervals = set.domain().intervals;
   for (std::size_t i = 0; i < intervals.size(); ++i)
-    for (int k = intervals[i].k0; k < intervals[i].k1; ++k) {
-      const std::size_t v = set.first(i) + static_cast<std::size_t>(k - intervals[i].k0);
-      cells_[at(intervals[i].ix + 1, intervals[i].iy + 1, k + 1)] = v << 1 | std::uint64_t{!set.solid(v)};
+    for (int k = intervals[i].k0; k < intervals[i].k1; ++k)
+      if (!set.solid(set.first(i) + static_cast<std::size_t>(k - intervals[i].k0)))
+        set_void(intervals[i].ix + 1, intervals[i].iy + 1, k + 1, true);
+}
+
+int DenseVoid::next_mixed_block(int x, int y, int z) const {
+  const std::array<const std::uint64_t*, 4> rows = {row(y, z), row(y + 1, z), row(y, z + 1),
+                                                    row(y + 1, z + 1)};
+  std::uint64_t wanted = ~std::uint64_t{0} << x % 64;
+  for (std::size_t w = static_cast<std::size_t>(x) / 64; w + 1 < words_; ++w, wanted = ~std::uint64_t{0}) {
+    std::uint64_t any = 0, all = ~std::uint64_t{0};
+    for (const std::uint64_t* r : rows) {
+      const std::uint64_t here = r[w], beside = here >> 1 | r[w + 1] << 63;
+      any |= here | beside;
+      all &= here & beside;
     }
+    if (const std::uint64_t mixed = any & ~all & wanted; mixed != 0)
+      return std::min(static_cast<int>(64 * w) + std::countr_zero(mixed), n_[0]);
+  }
+  return n_[0];
 }
 
 int offending_corner(unsigned block) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "error.hpp"
+#include "formulation/octree.hpp"
 #include "formulation/quadric.hpp"
 #include "formulation/rayrep.hpp"
 #include "formulation/voxel.hpp"
@@ -15,6 +16,22 @@ Start parse_start(std::string_view text) {
   if (text == "middle") return Start::middle;
   if (text == "upper") return Start::upper;
   throw InputError(fmt::format("start '{}'; expected lower, middle or upper", text));
+}
+
+double SparseForm::value(std::span<const double> x) const {
+  double sum = 0;
+  for (const SparseRows::Entry& e : entries)
+    sum += (e.row == e.column ? 0.5 : 1.0) * e.value * x[static_cast<std::size_t>(e.row)] *
+           x[static_cast<std::size_t>(e.column)];
+  return sum;
+}
+
+void SparseForm::add_gradient(std::span<const double> x, std::span<double> out) const {
+  for (const SparseRows::Entry& e : entries) {
+    const auto i = static_cast<std::size_t>(e.row), j = static_cast<std::size_t>(e.column);
+    out[i] += e.value * x[j];
+    if (i != j) out[j] += e.value * x[i];
+  }
 }
 
 std::vector<double> Formulation::start(Start where) const {
@@ -39,6 +56,8 @@ const std::vector<FormulationEntry>& formulations() {
   static const std::vector<FormulationEntry> all = {
       {"voxel", "one fill in [0,1] an interior voxel", make_voxel},
       {"rayrep", "one solid segment [z0,z1] a ray [RayRep, s. 2-3]", make_rayrep},
+      {"octree", "one fill in [0,1] a cell of an octree, refined along the voids [SpinIt, s. 5]",
+       make_octree},
       {"quadric",
        "solid where a quadric is negative: ten coefficients, exact at the optimum (docs/quadric.md)",
        make_quadric},

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "domain/columns.hpp"
+#include "domain/octree.hpp"
 #include "formulation/support_oracle.hpp"
 #include "formulation/voxel_set.hpp"
 #include "problem/problem.hpp"
@@ -33,6 +34,24 @@ struct SparseRows {
   };
   std::vector<Entry> entries;
   std::vector<double> lower, upper;  ///< one a row; may be infinite
+};
+
+/// x^T R x / 2 with a constant, sparse, symmetric, positive semidefinite R.
+struct SparseForm {
+  std::vector<SparseRows::Entry> entries;  ///< of R, row >= column: each pair once
+
+  [[nodiscard]] double value(std::span<const double> x) const;
+  /// out += R x.
+  void add_gradient(std::span<const double> x, std::span<double> out) const;
+};
+
+/// What became of the variables at the optimum of one refinement.
+struct CellCounts {
+  std::size_t fractional = 0;  ///< neither empty nor full
+  std::size_t coarse = 0;      ///< of these, such as can still be split
+  std::size_t finest = 0;      ///< variables that cannot be split
+  std::size_t along = 0;       ///< of these, such as share a face with the other side of the void's surface
+  double weight = 0;           ///< of the regulariser
 };
 
 /// An interior rounded to what can be built, and what that cost.
@@ -64,6 +83,24 @@ class Formulation {
 
   /// Diagonal of sum_k w_k d2s_k/dx2, its only entries. Zero when moments_are_linear().
   virtual void curvature(std::span<const double> x, const Moments& weight, std::span<double> out) = 0;
+
+  /// What is minimised besides the problem's objective, so that there is one best x; nullptr: nothing.
+  [[nodiscard]] virtual const SparseForm* regulariser() const { return nullptr; }
+
+  /// Whether its variables are cells of different sizes that refine() splits and merges.
+  [[nodiscard]] virtual bool refines() const { return false; }
+  /// Refines the variables where the optimum x asks for it; x becomes where the next solve starts.
+  /// @return  false when nothing is left to refine, and all stays as it is
+  [[nodiscard]] virtual bool refine(std::vector<double>& /*x*/) { return false; }
+  /// Back to the variables before the first refine().
+  virtual void restart() {}
+  [[nodiscard]] virtual CellCounts count_cells(std::span<const double> /*x*/) const { return {}; }
+
+  /// Which cells the variables are the fills of, in their order; of a formulation that refines.
+  [[nodiscard]] virtual std::vector<Cube> cells() const { return {}; }
+
+  /// Its settings as they are in force, defaults included.
+  [[nodiscard]] virtual std::map<std::string, std::string> settings() const { return {}; }
 
   /// The nearest interior made of whole voxels. [RayRep, s. 3.4]
   [[nodiscard]] virtual Rounded round(std::span<const double> x) const = 0;

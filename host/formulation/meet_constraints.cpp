@@ -21,6 +21,8 @@ double squared_misses(const LinearConstraints& c, const Eigen::VectorXd& value) 
   return (c.lower - value).cwiseMax(value - c.upper).cwiseMax(0).squaredNorm();
 }
 
+std::size_t length(const Interval& run) { return static_cast<std::size_t>(run.k1 - run.k0); }
+
 class Fit {
  public:
   Fit(VoxelSet& set, const Problem& problem, const MassModel& mass)
@@ -63,16 +65,19 @@ class Fit {
     const double before = squared_misses(constraints_, value_);
     const auto& intervals = set_.domain().intervals;
     for (std::size_t i = 0; i < intervals.size(); ++i) {
-      const Interval& run = intervals[i];
-      for (int k = run.k0; k < run.k1; ++k) {
-        const std::size_t v = set_.first(i) + static_cast<std::size_t>(k - run.k0);
-        const bool solid = set_.solid(v);
-        const bool end =
-            (k > run.k0 && set_.solid(v - 1) != solid) || (k + 1 < run.k1 && set_.solid(v + 1) != solid);
-        if (!end || moved_[v]) continue;
-        Move move{v, run.ix + 1, run.iy + 1, k + 1, !solid};
+      const std::size_t first = set_.first(i), end = first + length(intervals[i]);
+      const auto consider = [&](std::size_t v) {
+        const Interval& run = intervals[i];
+        if (moved_[v]) return;
+        Move move{v, run.ix + 1, run.iy + 1, run.k0 + static_cast<int>(v - first) + 1, !set_.solid(v)};
         move.gain = before - squared_misses(constraints_, value_ + effect(move));
         if (move.gain > 0) moves.push_back(move);
+      };
+      // A voxel where the fill changes above and below is met twice.
+      std::size_t last = end;
+      for (std::size_t v = set_.next_change(first, end); v < end; v = set_.next_change(v, end)) {
+        if (last != v - 1) consider(v - 1);
+        consider(last = v);
       }
     }
     std::ranges::stable_sort(moves, std::ranges::greater{}, &Move::gain);
@@ -83,12 +88,11 @@ class Fit {
   bool apply(const Move& move) {
     const Eigen::VectorXd value = value_ + effect(move);
     if (squared_misses(constraints_, value) >= squared_misses(constraints_, value_)) return false;
-    const std::size_t cell = cells_.at(move.x, move.y, move.z);
-    cells_.set_void(cell, !move.fills);
+    cells_.set_void(move.x, move.y, move.z, !move.fills);
     for (int corner = 0; corner < 8; ++corner)
       if (offending_corner(
               cells_.block(move.x - (corner & 1), move.y - (corner >> 1 & 1), move.z - (corner >> 2))) >= 0) {
-        cells_.set_void(cell, move.fills);
+        cells_.set_void(move.x, move.y, move.z, move.fills);
         return false;
       }
     set_.set(move.voxel, move.fills);

@@ -18,8 +18,14 @@ class VoxelSet {
   [[nodiscard]] std::size_t size() const { return solid_.size(); }
   [[nodiscard]] bool solid(std::size_t voxel) const { return solid_[voxel] != 0; }
   void set(std::size_t voxel, bool solid) { solid_[voxel] = solid; }
+  /// The same for `count` voxels from `voxel` on.
+  void set(std::size_t voxel, std::size_t count, bool solid);
   /// Index of the lowest voxel of an interval.
   [[nodiscard]] std::size_t first(std::size_t interval) const { return first_[interval]; }
+  /// The first voxel after `voxel` that differs from the one before it; `end` when none before `end` does.
+  [[nodiscard]] std::size_t next_change(std::size_t voxel, std::size_t end) const;
+  /// Index of an interior cell of the grid.
+  [[nodiscard]] std::size_t at(int ix, int iy, int k) const;
   [[nodiscard]] std::size_t count_solid() const;
 
  private:

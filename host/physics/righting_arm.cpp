@@ -41,12 +41,16 @@ RightingArm righting_arm(const Afloat& afloat, double azimuth, int steps) {
   arm.metacentric_height =
       (righting_arm_at(afloat, azimuth, small) - righting_arm_at(afloat, azimuth, -small)) / (2 * small);
   if (!(arm.metacentric_height > 0)) return arm;
-  for (std::size_t i = 1; i + 1 < count; ++i)  // the last is level again, upside down
-    if (arm.gz[i] > 0 && arm.gz[i + 1] <= 0) {
-      const double step = arm.heel[i + 1] - arm.heel[i];
-      arm.vanishing = arm.heel[i] + step * arm.gz[i] / (arm.gz[i] - arm.gz[i + 1]);
-      break;
+  for (std::size_t i = 1; i + 2 < count; ++i) {  // at the last it is level again, upside down
+    if (!(arm.gz[i] > 0 && arm.gz[i + 1] <= 0)) continue;
+    double low = arm.heel[i], high = arm.heel[i + 1];
+    for (int halving = 0; halving < 10; ++halving) {
+      const double middle = (low + high) / 2;
+      (righting_arm_at(afloat, azimuth, middle) > 0 ? low : high) = middle;
     }
+    arm.vanishing = (low + high) / 2;
+    break;
+  }
   return arm;
 }
 

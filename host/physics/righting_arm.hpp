@@ -22,14 +22,14 @@ struct RightingArm {
   double azimuth = 0;             ///< of the axis it turns about, radians from x
   std::vector<double> heel, gz;   ///< radians, the mesh's unit; the first heel is 0
   double metacentric_height = 0;  ///< slope of GZ at 0, by differences
-  /// Heel beyond which it no longer returns: where GZ first falls through 0; nothing where it is not righted
-  /// at first, or returns from any angle.
+  /// Heel beyond which it no longer returns: where GZ first falls through 0 (to a thousandth of a step);
+  /// nothing where it is not righted at first, or returns from any angle.
   std::optional<double> vanishing;
 };
 
 /// @param steps  equal steps up to pi, >= 2
 /// @throws InputError  a volume that the mesh does not displace
-[[nodiscard]] RightingArm righting_arm(const Afloat& afloat, double azimuth, int steps = 72);
+[[nodiscard]] RightingArm righting_arm(const Afloat& afloat, double azimuth, int steps = 36);
 
 /// GZ at one heel, turning right-handed about the axis.
 [[nodiscard]] double righting_arm_at(const Afloat& afloat, double azimuth, double heel);

@@ -10,8 +10,10 @@
 #include <string_view>
 #include <vector>
 
+#include "physics/units.hpp"
 #include "problem/principal_angle.hpp"
 #include "problem/spin_terms.hpp"
+#include "problem/stable_speeds.hpp"
 
 namespace kreisel {
 namespace {
@@ -76,10 +78,7 @@ SpinState spin_state(const Moments& s) {
 double omega_min_rpm(const Moments& s, double length_mm) {
   const SpinState state = spin_state(s);
   if (!(state.largest() && state.height > 0)) return std::numeric_limits<double>::quiet_NaN();
-  constexpr double gravity = 9.80665;  // m/s^2
-  const double length = length_mm * 1e-3;
-  return std::sqrt(s[S1] * gravity * state.height / ((state.about_axis - state.lateral) * length)) * 30 /
-         std::numbers::pi;
+  return std::sqrt(s[S1] * state.height / (state.about_axis - state.lateral)) * rpm_per_unit(length_mm);
 }
 
 Verdict Spinning::verify(const Moments& s, double length_mm) const {
@@ -103,13 +102,14 @@ Verdict Spinning::verify(const Moments& s, double length_mm) const {
   if (verdict.ok) {
     verdict.text = "spins: " + where;
     if (std::isfinite(omega_min)) verdict.text += fmt::format("; stable above {:.0f} rpm", omega_min);
-    return verdict;
+  } else {
+    std::vector<std::string> reasons;
+    if (!central) reasons.push_back(fmt::format("centre of mass off {} by more than 1e-3 L", place));
+    if (!upright) reasons.emplace_back("axis not principal within 0.1 degrees");
+    if (!largest) reasons.emplace_back("Izz is not the largest principal moment");
+    verdict.text = fmt::format("does not spin ({}): {}", fmt::join(reasons, "; "), where);
   }
-  std::vector<std::string> reasons;
-  if (!central) reasons.push_back(fmt::format("centre of mass off {} by more than 1e-3 L", place));
-  if (!upright) reasons.emplace_back("axis not principal within 0.1 degrees");
-  if (!largest) reasons.emplace_back("Izz is not the largest principal moment");
-  verdict.text = fmt::format("does not spin ({}): {}", fmt::join(reasons, "; "), where);
+  if (!centred_) add_stable_speeds(verdict, s, length_mm);
   return verdict;
 }
 

@@ -61,6 +61,23 @@ json evaluations(const Evaluations& e) {
           {"hessian", e.hessian}};
 }
 
+json refinements(const std::vector<Refinement>& rounds) {
+  json all = json::array();
+  for (const Refinement& r : rounds)
+    all.push_back({{"variables", r.variables},
+                   {"fractional", r.cells.fractional},
+                   {"to_split", r.cells.coarse},
+                   {"finest", r.cells.finest},
+                   {"along_voids", r.cells.along},
+                   {"weight", r.cells.weight},
+                   {"objective", r.objective},
+                   {"regulariser", r.regulariser},
+                   {"constraint_violation", r.violation},
+                   {"iterations", r.iterations},
+                   {"seconds", r.seconds}});
+  return all;
+}
+
 json rounding(const RoundingCost& cost) {
   return {{"objective", cost.objective},         {"constraint_violation", cost.violation},
           {"solid_voxels", cost.solid_voxels},   {"void_voxels", cost.void_voxels},
@@ -130,6 +147,8 @@ json to_json(const RunResult& r) {
       {"remedies", r.remedies},
       {"steps", o.steps},
       {"solver_settings", o.settings},
+      {"formulation_settings", r.formulation_settings},
+      {"refinements", refinements(o.refinements)},
       {"objective", o.objective},
       {"solid_objective", r.solid_objective},
       {"constraint_violation", o.violation},

@@ -104,6 +104,25 @@ void write_history(Group& group, const std::vector<Iterate>& history) {
                 "line_search_trials"}});
 }
 
+void write_refinements(Group& group, const std::vector<Refinement>& rounds) {
+  std::vector<double> values;
+  for (const Refinement& r : rounds)
+    values.insert(values.end(), {double(r.variables), double(r.cells.fractional), double(r.cells.coarse),
+                                 double(r.cells.finest), double(r.cells.along), r.cells.weight, r.objective,
+                                 r.regulariser, r.violation, double(r.iterations), r.seconds});
+  group.write("refinements", values, {rounds.size(), 11},
+              {"1; s (seconds)",
+               {"variables", "fractional", "to_split", "finest", "along_voids", "weight", "objective",
+                "regulariser", "violation", "iterations", "seconds"}});
+}
+
+void write_cells(Group& group, const std::vector<Cube>& cells) {
+  std::vector<int> rows;
+  rows.reserve(4 * cells.size());
+  for (const Cube& c : cells) rows.insert(rows.end(), {c.x, c.y, c.z, c.edge});
+  group.write("cells", rows, {cells.size(), 4}, {"cells", {"ix", "iy", "iz", "edge"}});
+}
+
 /// What one unit of x is, in words and as a length: the ray-rep may count in cells.
 void write_variables(Group& group, const RunResult& r) {
   const bool heights = r.config.formulation == "rayrep";
@@ -135,10 +154,15 @@ void write_solve(Group group, const RunResult& r) {
   group.set("budget", r.config.budget_seconds);
   group.set("budget_units", "s");
   for (const auto& [name, value] : o.settings) group.set("setting_" + name, value);
+  for (const auto& [name, value] : r.formulation_settings) group.set("formulation_" + name, value);
   write_variables(group, r);
   write_moments(group, "moments", o.moments);
   write_moments(group, "moments_model", r.model_moments(o.moments), model_moment_units);
   write_history(group, o.history);
+  if (!o.refinements.empty()) {
+    write_refinements(group, o.refinements);
+    write_cells(group, r.cells);
+  }
   write_seconds(group, "samples", r.samples);
   write_seconds(group, "median", {r.median});
 }

@@ -65,6 +65,16 @@ GridSpec grid(std::string_view key, std::string_view value) {
   return spec;
 }
 
+/// Levels that are too many are refused by the grid, with the memory that they would need.
+GridSpec grid_of_level(std::string_view key, std::string_view value) {
+  constexpr int most = 20;
+  const int level = parse<int>(value).value_or(-1);
+  if (level < 1 || level > most) refuse(key, value, "1 to 10: 2^level cells along the longest side");
+  GridSpec spec;
+  spec.resolution = 1 << level;
+  return spec;
+}
+
 std::string text_of(const Vec3& v) { return fmt::format("{},{},{}", v[0], v[1], v[2]); }
 
 std::string text_of(const GridSpec& spec) {
@@ -119,6 +129,7 @@ const std::map<std::string_view, Setter>& setters() {
          c.domain = v;
        }},
       {"resolution", [](C c, S k, S v) { c.grid = grid(k, v); }},
+      {"level", [](C c, S k, S v) { c.grid = grid_of_level(k, v); }},
       {"wall", [](C c, S, S v) { c.wall = parse_wall(std::string(v)); }},
       {"axes", [](C c, S k, S v) { map_of(c).axes = whole(k, v, 1); }},
       {"through",

@@ -53,9 +53,10 @@ struct RunConfig {
 };
 
 /// Sets one field from text, as the command line and TOML files name them: model, problem, formulation,
-/// solver, domain, resolution (N or NXxNYxNZ), wall, rounding, part, axis, contact, up ("x,y,z"), unit, size,
-/// density, interior-density, void-density, axle, slot, axle-depth (mm), fineness, device, precision,
-/// repeat, budget, certify, and GROUP.NAME for settings. Any of axes, through and drafts ("20%,40%") makes the run a map.
+/// solver, domain, resolution (N or NXxNYxNZ), level (of an octree: 2^level cells), wall, rounding, part,
+/// axis, contact, up ("x,y,z"), unit, size, density, interior-density, void-density, axle, slot, axle-depth
+/// (mm), fineness, device, precision, repeat, budget, certify, and GROUP.NAME for settings. Any of axes,
+/// through and drafts ("20%,40%") makes the run a map.
 ///
 /// @throws InputError  unknown key or unfit value; names both and what was expected
 void set_field(RunConfig& config, std::string_view key, std::string_view value);

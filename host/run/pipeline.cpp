@@ -238,7 +238,10 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   describe(r, domain);
   r.solid_objective = problem->value(body.solid);
   r.scope = problem->scope(mass);
-  r.variables = formulation->num_variables();
+  options.on_refinement = [&](const Refinement& round) {
+    tell(fmt::format("refine: {} cells, {} of the finest, {} still to split", round.variables,
+                     round.cells.finest, round.cells.coarse));
+  };
 
   const Stopwatch budget;
   while (static_cast<int>(r.samples.size()) < config.repeat &&
@@ -250,6 +253,9 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
                          setup_seconds + r.outcome.solve_seconds});
   }
   r.median = medians(r.samples);
+  r.variables = formulation->num_variables();
+  r.formulation_settings = formulation->settings();
+  r.cells = formulation->cells();
   if (r.outcome.termination == Termination::infeasible) {
     tell("look for what cannot be met");
     r.infeasibility = explain_infeasible(solver, {*problem, *formulation, mass, device}, options);

@@ -66,9 +66,11 @@ struct RunResult {
   std::size_t inside_voxels = 0, interior_voxels = 0;  ///< of columns
   double solid_objective = 0;                          ///< f of the solid body, before anything is hollowed
 
-  std::size_t variables = 0;
-  std::string scope;                       ///< Problem::scope()
-  Outcome outcome;                         ///< of the last timed solve
+  std::size_t variables = 0;  ///< of the last solve, where a formulation refines
+  std::map<std::string, std::string> formulation_settings;  ///< in force, defaults included
+  std::vector<Cube> cells;                                  ///< of an octree, in the order of the variables
+  std::string scope;                                        ///< Problem::scope()
+  Outcome outcome;                                          ///< of the last timed solve
   std::string infeasibility;               ///< what cannot be met, when the outcome is infeasible
   std::string remedies;                    ///< and what would help
   std::optional<Certificate> certificate;  ///< when asked for

@@ -74,7 +74,8 @@ RightingArm weaker_side(const Afloat& afloat, double azimuth) {
 std::vector<RightingArm> float_of(const Subject& subject, const Moments& s) {
   const Body& solid = subject.solid;
   const double volume = s[S1] * solid.density / setting(subject.config, "fluid_density", "", 1);
-  if (!(volume < hydrostatics(solid.local, bounding_box(solid.local).hi[2]).volume)) return {};  // it sinks
+  const double submerged = hydrostatics(solid.local, bounding_box(solid.local).hi[2]).volume;
+  if (!(volume < (1 - 1e-6) * submerged)) return {};  // nothing of it stays above the water
   const Afloat afloat{solid.local, centre_of_mass(s), volume};
   const double axis = hydrostatics(solid.local, waterline_of(solid.local, volume)).least_axis;
   return {weaker_side(afloat, axis), weaker_side(afloat, axis + std::numbers::pi / 2)};

@@ -27,7 +27,7 @@ struct SimulatedBody {
   std::optional<YoyoFall> fall;
   std::vector<Toppling> toppling;  ///< of what stands
   /// Of what floats, body units: about the axis of the least metacentric height and the one across it, on the
-  /// side on which it comes back from less. Empty for what sinks.
+  /// side on which it comes back from less. Empty for what is as dense as the fluid.
   std::vector<RightingArm> righting;
 };
 

@@ -31,8 +31,13 @@ class DirectNlp final : public Nlp {
     return true;
   }
 
-  bool get_starting_point(Index, bool, Number* x, bool, Number*, Number*, Index, bool, Number*) override {
-    std::ranges::copy(start_, x);
+  bool get_starting_point(Index, bool, Number* x, bool with_z, Number* z_L, Number* z_U, Index,
+                          bool with_lambda, Number* lambda) override {
+    start_variables(x, with_z, z_L, z_U, with_lambda, lambda);
+    if (with_z) {
+      std::fill_n(z_L + n_, last_count(), 0.0);
+      std::fill_n(z_U + n_, last_count(), 0.0);
+    }
     last_start(total(x, true), x + n_);
     return true;
   }
@@ -40,7 +45,9 @@ class DirectNlp final : public Nlp {
   bool eval_f(Index, const Number* x, bool new_x, Number& value) override {
     ++evaluations_.objective;
     const Moments& s = total(x, new_x);
-    value = margin() ? x[n_] : own_form() ? own_form()->value(s, last(x + n_)) : task_.problem.value(s);
+    value = margin()     ? x[n_]
+            : own_form() ? own_form()->value(s, last(x + n_)) + regulariser_value(x)
+                         : task_.problem.value(s) + regulariser_value(x);
     return true;
   }
 
@@ -63,6 +70,7 @@ class DirectNlp final : public Nlp {
     }
     weight *= task_.mass.contrast;
     task_.formulation.pull_back(variables(x), {&weight, 1}, {gradient, n_});
+    add_regulariser_gradient(x, gradient);
     return true;
   }
 
@@ -113,6 +121,12 @@ class DirectNlp final : public Nlp {
   }
 
  private:
+  [[nodiscard]] Moments lagrange_weight(std::span<const double> multipliers) const override {
+    Moments weight = Moments::Zero();
+    if (!margin()) weight = task_.problem.gradient(task_.mass.total(task_.formulation.moments(start_)));
+    for (std::size_t r = 0; r < rows_.size(); ++r) weight += multipliers[r] * form(rows_[r]).transpose();
+    return task_.mass.contrast * weight;
+  }
   const Moments& total(const Number* x, bool new_x) {
     if (new_x || !known_) total_ = task_.mass.total(task_.formulation.moments(variables(x)));
     known_ = true;

@@ -28,7 +28,8 @@ class LiftedNlp final : public Nlp {
     m = static_cast<Index>(ten + problem_row_count() + own_.lower.size());
     jac = static_cast<Index>(ten * n_ + ten + entries_.size() + equation_count() * (ten + last_count()) +
                              own_.entries.size());
-    hess = static_cast<Index>((linear_ ? 0 : n_) + curved_count() * (curved_count() + 1) / 2);
+    hess = static_cast<Index>((linear_ ? 0 : n_) + curved_count() * (curved_count() + 1) / 2 +
+                              regulariser().size());
     style = C_STYLE;
     return true;
   }
@@ -45,8 +46,13 @@ class LiftedNlp final : public Nlp {
     return true;
   }
 
-  bool get_starting_point(Index, bool, Number* x, bool, Number*, Number*, Index, bool, Number*) override {
-    std::ranges::copy(start_, x);
+  bool get_starting_point(Index, bool, Number* x, bool with_z, Number* z_L, Number* z_U, Index,
+                          bool with_lambda, Number* lambda) override {
+    start_variables(x, with_z, z_L, z_U, with_lambda, lambda);
+    if (with_z) {
+      std::fill_n(z_L + n_, ten + last_count(), 0.0);
+      std::fill_n(z_U + n_, ten + last_count(), 0.0);
+    }
     const Moments s = task_.mass.total(task_.formulation.moments(start_));
     std::copy_n(s.data(), ten, x + n_);
     last_start(s, x + n_ + ten);
@@ -56,8 +62,8 @@ class LiftedNlp final : public Nlp {
   bool eval_f(Index, const Number* x, bool, Number& value) override {
     ++evaluations_.objective;
     value = margin()     ? x[n_ + ten]
-            : own_form() ? own_form()->value(lifted(x), last(x + n_ + ten))
-                         : task_.problem.value(lifted(x));
+            : own_form() ? own_form()->value(lifted(x), last(x + n_ + ten)) + regulariser_value(x)
+                         : task_.problem.value(lifted(x)) + regulariser_value(x);
     return true;
   }
 
@@ -70,6 +76,7 @@ class LiftedNlp final : public Nlp {
       std::ranges::copy(own_form()->gradient(lifted(x), last(x + n_ + ten)), gradient + n_);
     else
       std::ranges::copy(task_.problem.gradient(lifted(x)), gradient + n_);
+    add_regulariser_gradient(x, gradient);
     return true;
   }
 
@@ -129,6 +136,10 @@ class LiftedNlp final : public Nlp {
           *row++ = static_cast<Index>(n_ + a);
           *column++ = static_cast<Index>(n_ + b);
         }
+      for (const SparseRows::Entry& e : regulariser()) {
+        *row++ = e.row;
+        *column++ = e.column;
+      }
       return true;
     }
     ++evaluations_.hessian;
@@ -142,6 +153,7 @@ class LiftedNlp final : public Nlp {
     const Eigen::MatrixXd h = curved(x, factor, lambda);
     for (int a = 0; a < h.rows(); ++a)
       for (int b = 0; b <= a; ++b) *values++ = h(a, b);
+    for (const SparseRows::Entry& e : regulariser()) *values++ = factor * e.value;
     return true;
   }
 
@@ -156,6 +168,9 @@ class LiftedNlp final : public Nlp {
                                                       static_cast<Eigen::Index>(equation_count()));
     const auto a = last(x + n_ + ten);
     return factor * own_form()->hessian(lifted(x), a) + own_form()->curvature(lifted(x), a, equations);
+  }
+  [[nodiscard]] Moments lagrange_weight(std::span<const double> multipliers) const override {
+    return task_.mass.contrast * Eigen::Map<const Moments>(multipliers.data());
   }
   [[nodiscard]] Moments lifted(const Number* x) const { return Eigen::Map<const Moments>(x + n_); }
 

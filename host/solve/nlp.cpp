@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solve/central_path.hpp"
 #include "solve/interrupt.hpp"
 
 namespace kreisel {
@@ -66,9 +67,34 @@ bool Nlp::intermediate_callback(Ipopt::AlgorithmMode, Index iteration, Number ob
   return !interrupted();
 }
 
+void Nlp::go_on(const WarmStart& warm, double barrier) {
+  warm_ = warm;
+  std::vector<double> slope(n_);
+  const Moments weight = lagrange_weight(warm.multipliers);
+  task_.formulation.pull_back(start_, {&weight, 1}, slope);
+  const Bounds& bounds = task_.formulation.bounds();
+  to_central_path(start_, slope, regulariser().empty() ? nullptr : task_.formulation.regulariser(), bounds,
+                  barrier);
+  for (std::size_t i = 0; i < n_; ++i) {
+    z_lower_.push_back(barrier / (start_[i] - bounds.lower[i]));
+    z_upper_.push_back(barrier / (bounds.upper[i] - start_[i]));
+  }
+}
+
+void Nlp::start_variables(Number* x, bool with_z, Number* z_L, Number* z_U, bool with_lambda,
+                          Number* lambda) const {
+  std::ranges::copy(start_, x);
+  if (with_z) {
+    std::ranges::copy(z_lower_, z_L);
+    std::ranges::copy(z_upper_, z_U);
+  }
+  if (with_lambda) std::ranges::copy(warm_.multipliers, lambda);
+}
+
 void Nlp::finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*, const Number*,
-                            Index, const Number*, const Number*, Number, const Ipopt::IpoptData*,
+                            Index m, const Number*, const Number* lambda, Number, const Ipopt::IpoptData*,
                             Ipopt::IpoptCalculatedQuantities*) {
+  warm_.multipliers.assign(lambda, lambda + m);
   // Ipopt relaxes bounds by bound_relax_factor; the answer has to keep them.
   solution_.assign(x, x + n_);
   if (own_form()) auxiliary_.assign(x + n - last_count(), x + n);
@@ -93,6 +119,20 @@ Nlp::Index Nlp::own_structure(Index row, Index* i, Index* j) const {
 Nlp::Index Nlp::own_values(Number* values) const {
   for (const SparseRows::Entry& entry : own_.entries) *values++ = entry.value;
   return static_cast<Index>(own_.entries.size());
+}
+
+std::span<const SparseRows::Entry> Nlp::regulariser() const {
+  const SparseForm* form = task_.formulation.regulariser();
+  if (!form || margin()) return {};
+  return form->entries;
+}
+
+double Nlp::regulariser_value(const Number* x) const {
+  return regulariser().empty() ? 0.0 : task_.formulation.regulariser()->value(variables(x));
+}
+
+void Nlp::add_regulariser_gradient(const Number* x, Number* gradient) const {
+  if (!regulariser().empty()) task_.formulation.regulariser()->add_gradient(variables(x), {gradient, n_});
 }
 
 void Nlp::own_rows(const Number* x, Number* g) const {

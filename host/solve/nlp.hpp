@@ -22,6 +22,11 @@ class Nlp : public Ipopt::TNLP {
 
   Nlp(const Task& task, std::vector<double> start);
 
+  /// Starts from the multipliers of a solve before, which are those of the same rows.
+  /// @param barrier  parameter of the first iterate, of the objective as it is
+  void go_on(const WarmStart& warm, double barrier);
+
+  [[nodiscard]] const WarmStart& warm() const { return warm_; }
   [[nodiscard]] const std::vector<double>& solution() const { return solution_; }
   [[nodiscard]] const std::vector<double>& auxiliary() const { return auxiliary_; }
   [[nodiscard]] const Evaluations& evaluations() const { return evaluations_; }
@@ -67,8 +72,17 @@ class Nlp : public Ipopt::TNLP {
   void problem_rows(const Moments& s, const Number* at, Number* g) const;
   /// The smallest t that the start allows.
   [[nodiscard]] double margin_at(const Moments& s) const;
+  /// The weights of the moments in the gradient of the Lagrangian by x.
+  [[nodiscard]] virtual Moments lagrange_weight(std::span<const double> multipliers) const = 0;
+  /// Where a solve starts: x, and when it goes on from another, all multipliers.
+  void start_variables(Number* x, bool with_z, Number* z_L, Number* z_U, bool with_lambda,
+                       Number* lambda) const;
   [[nodiscard]] std::span<const double> variables(const Number* x) const { return {x, n_}; }
   void fill_bounds(Number* lower, Number* upper) const;
+  /// Of the formulation's regulariser, which a margin has none of: it is a distance, not an objective.
+  [[nodiscard]] std::span<const SparseRows::Entry> regulariser() const;
+  [[nodiscard]] double regulariser_value(const Number* x) const;
+  void add_regulariser_gradient(const Number* x, Number* gradient) const;
   /// Structure and values of the formulation's own rows, the first of which is `row`; returns how many were
   /// written.
   Index own_structure(Index row, Index* i, Index* j) const;
@@ -85,6 +99,8 @@ class Nlp : public Ipopt::TNLP {
 
  private:
   std::vector<double> solution_, auxiliary_;
+  WarmStart warm_;
+  std::vector<double> z_lower_, z_upper_;  ///< of the bounds, to go on from
   std::vector<Iterate> history_;
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "error.hpp"
 #include "parse.hpp"
@@ -64,7 +65,7 @@ const std::vector<SolverEntry>& solvers() {
       {"ipopt",
        "interior point: lifted exact Hessian, or L-BFGS (ipopt.hessian_approximation=limited-memory)",
        solve_with_ipopt,
-       {"voxel", "rayrep"},
+       {"voxel", "rayrep", "octree"},
        {},
        true},
       {"moment",
@@ -109,23 +110,34 @@ const SolverEntry& default_solver(std::string_view formulation) {
   throw unknown_name("formulation", formulation, names_of(formulations()));
 }
 
-Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& options) {
+namespace {
+
+bool converged(const Outcome& outcome) {
+  return outcome.termination == Termination::optimal || outcome.termination == Termination::acceptable;
+}
+
+/// What came before counts, too.
+void add_before(Outcome& outcome, const Outcome& before) {
+  outcome.iterations += before.iterations;
+  outcome.kernel_seconds += before.kernel_seconds;
+  outcome.solve_seconds += before.solve_seconds;
+  outcome.evaluations += before.evaluations;
+  outcome.history.insert(outcome.history.begin(), before.history.begin(), before.history.end());
+}
+
+Outcome solve_sequence(const SolverEntry& solver, const Task& task, const SolverOptions& options) {
   Outcome outcome = solver.solve(task, options);
   SolverOptions onward = options;
+  onward.warm = {};
   // Dinkelbach's steps are superlinear: a handful. The limit only keeps a solver that fails to converge from
   // going round in circles.
   constexpr int most_steps = 50;
   std::unique_ptr<Problem> problem = task.problem.next(outcome.moments);
-  while (problem && outcome.steps < most_steps &&
-         (outcome.termination == Termination::optimal || outcome.termination == Termination::acceptable)) {
+  while (problem && outcome.steps < most_steps && converged(outcome)) {
     onward.from = outcome.x;
     Outcome step = solver.solve({*problem, task.formulation, task.mass, task.device}, onward);
     step.steps = outcome.steps + 1;
-    step.iterations += outcome.iterations;
-    step.kernel_seconds += outcome.kernel_seconds;
-    step.solve_seconds += outcome.solve_seconds;
-    step.evaluations += outcome.evaluations;
-    step.history.insert(step.history.begin(), outcome.history.begin(), outcome.history.end());
+    add_before(step, outcome);
     outcome = std::move(step);
     problem = problem->next(outcome.moments);
   }
@@ -135,15 +147,51 @@ Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& 
     outcome.objective = task.problem.value(outcome.moments);
     outcome.violation = violation(task.problem, outcome.moments);
     outcome.message += fmt::format(", {} steps", outcome.steps);
+    outcome.warm = {};  // of another problem
   }
   // A margin can always be found; whether it is enough is another question. Solvers meet 1e-9.
   constexpr double met = 1e-6;
-  if (task.problem.goal() == Goal::margin && outcome.violation > met &&
-      (outcome.termination == Termination::optimal || outcome.termination == Termination::acceptable)) {
+  if (task.problem.goal() == Goal::margin && outcome.violation > met && converged(outcome)) {
     outcome.termination = Termination::infeasible;
     outcome.message = fmt::format("the constraints are missed by {:.2e} at the least", outcome.violation);
   }
   return outcome;
+}
+
+Refinement describe(const Task& task, const Outcome& outcome) {
+  const SparseForm* regulariser = task.formulation.regulariser();
+  return {outcome.x.size(),     task.formulation.count_cells(outcome.x),
+          outcome.objective,    regulariser ? regulariser->value(outcome.x) : 0.0,
+          outcome.violation,    outcome.iterations,
+          outcome.solve_seconds};
+}
+
+}  // namespace
+
+Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& options) {
+  task.formulation.restart();
+  Outcome all = solve_sequence(solver, task, options);
+  SolverOptions onward = options;
+  Refinement round = describe(task, all);
+  // A level a round, and some more where the void's surface moves on to cells that were left coarse.
+  constexpr std::size_t most_rounds = 40;
+  while (task.formulation.refines()) {
+    const auto begin = std::chrono::steady_clock::now();
+    onward.from = all.x;
+    onward.warm = all.warm;
+    const bool refined =
+        converged(all) && all.refinements.size() + 1 < most_rounds && task.formulation.refine(onward.from);
+    round.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    all.refinements.push_back(round);
+    if (options.on_refinement) options.on_refinement(round);
+    if (!refined) break;
+    Outcome next = solve_sequence(solver, task, onward);
+    round = describe(task, next);
+    next.refinements = std::move(all.refinements);
+    add_before(next, all);
+    all = std::move(next);
+  }
+  return all;
 }
 
 }  // namespace kreisel

@@ -1,6 +1,7 @@
 // solver.hpp - finds the variables: what every solver takes and gives.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -33,6 +34,20 @@ struct Evaluations {
   Evaluations& operator+=(const Evaluations& other);
 };
 
+/// One solve of a formulation that refines, and what it did to its cells.
+struct Refinement {
+  std::size_t variables = 0;
+  CellCounts cells;
+  double objective = 0, regulariser = 0, violation = 0;
+  int iterations = 0;
+  double seconds = 0;  ///< of the solve, and of making the cells of the next
+};
+
+/// What one solve leaves for the next of the same problem over other variables.
+struct WarmStart {
+  std::vector<double> multipliers;  ///< of all rows of the form that was solved
+};
+
 /// The full summary of a solve. Body units.
 struct Outcome {
   Termination termination = Termination::failed;
@@ -50,6 +65,8 @@ struct Outcome {
   std::vector<Iterate> history;
   int steps = 1;  ///< problems solved in sequence (Problem::next); iterations and seconds are of all of them
   std::map<std::string, std::string> settings;  ///< the solver's own options as they were in force
+  WarmStart warm;                               ///< where the solver can go on from one
+  std::vector<Refinement> refinements;          ///< every round; of a formulation that refines
 };
 
 /// What is to be solved; all parts outlive the solve.
@@ -63,6 +80,9 @@ struct Task {
 struct SolverOptions {
   Start start = Start::middle;
   std::vector<double> from;  ///< variables to start from; empty: `start`
+  WarmStart warm;            ///< with `from`; without multipliers: cold
+  /// Told of each refinement, for progress on a terminal. May be empty.
+  std::function<void(const Refinement&)> on_refinement;
   /// Drop the negative curvature of the moments: the model of every variable stays convex.
   bool convexify = true;
   /// Largest derivative of the scaled objective at the start, > 0; empty: what suits the formulation.
@@ -98,7 +118,8 @@ void require_form(const SolverEntry& solver, const Problem& problem);
 [[nodiscard]] const SolverEntry& default_solver(std::string_view formulation);
 
 /// Solves the task, and then whatever Problem::next() asks for, each step from the variables of the one
-/// before. Iterations, evaluations, seconds and history are of all steps, the rest of the last.
+/// before; and all of that again as long as the formulation refines its variables. Iterations, evaluations,
+/// seconds and history are of all steps, the rest of the last.
 [[nodiscard]] Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& options);
 
 }  // namespace kreisel

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "apps/run_bench.hpp"
 #include "temporary_folder.hpp"
@@ -96,8 +98,9 @@ TEST_F(BenchSimulate, WhatStandsAndFloatsDoesSoAsItsVerdictSays) {
   EXPECT_NEAR(least.at("metacentric_height_mm").get<double>(), height, 0.02);
   EXPECT_LE(least.at("metacentric_height_mm").get<double>(),
             floats.at("float").at("across").at("metacentric_height_mm").get<double>());
-  ASSERT_FALSE(least.at("vanishing_degrees").is_null());
-  EXPECT_GT(least.at("vanishing_degrees").get<double>(), 5);
+  EXPECT_NEAR(least.at("heel_degrees").at(1).get<double>(), 5, 1e-12);
+  EXPECT_NEAR(least.at("gz_mm").at(1).get<double>(), height * std::sin(5 * std::numbers::pi / 180), 0.05)
+      << "small heels follow the metacentric height";
 }
 
 TEST_F(BenchSimulate, RefusesWhatItCannotDoInOneLine) {

@@ -22,10 +22,18 @@ TEST(SimulationTable, HasAPartThatSpinsWhereItsSolidFalls) {
   // sqrt(M g l / (Izz - Iyy)) rpm, l = 0.5 L = 20 mm; of unequal moments the spectrum's bound is the same.
   EXPECT_EQ(row[4].text, "498");
   EXPECT_EQ(row[5].text, "498");
-  EXPECT_EQ(row[7].text, "548");
-  EXPECT_EQ(row[10].text, "stable");
-  EXPECT_NE(row[8].text, "stable");
-  EXPECT_LT(std::stod(row[11].data), 10);
+  EXPECT_EQ(row[7].text, "gliding");
+  EXPECT_EQ(row[8].text, "548") << "a tenth more";
+  EXPECT_NE(row[9].text, "stable");
+  EXPECT_EQ(row[11].text, "stable");
+  EXPECT_LT(std::stod(row[12].data), 10);
+
+  // A solid that is nearly as good is told apart at a speed between the two.
+  r.solid = moments_of(0.4, 0.5, {0.05, 0.0525, 0.07});
+  const auto near = simulation_tables({run}, {}).blocks[0].sheet.rows()[0];
+  EXPECT_EQ(near[8].text, "502");
+  EXPECT_EQ(near[9].text, "unstable");
+  EXPECT_EQ(near[11].text, "stable");
 
   // Nothing to say of what was not run, or does not spin.
   RecordedRun none = optimal_run();

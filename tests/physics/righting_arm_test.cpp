@@ -33,7 +33,7 @@ TEST(RightingArm, OfABoxFollowsTheWallSidedFormula) {
   EXPECT_NEAR(arm.metacentric_height, gm, 1e-6);
   EXPECT_NEAR(hydrostatics(box, draft).metacentre() - centre, gm, 1e-12);
   ASSERT_TRUE(arm.vanishing);
-  EXPECT_NEAR(righting_arm_at(afloat, 0, *arm.vanishing), 0, 2e-3) << "between two steps of a degree";
+  EXPECT_NEAR(righting_arm_at(afloat, 0, *arm.vanishing), 0, 1e-4) << "a thousandth of a degree off";
   EXPECT_GT(righting_arm_at(afloat, 0, *arm.vanishing - 0.05), 0);
   EXPECT_LT(righting_arm_at(afloat, 0, *arm.vanishing + 0.05), 0);
   EXPECT_NEAR(arm.gz.back(), 0, 1e-12) << "upside down it is level again";

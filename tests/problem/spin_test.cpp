@@ -147,6 +147,21 @@ TEST(SpinVerdict, CriticalSpeedCountsTheLargerLateralMoment) {
   EXPECT_NEAR(verdict.values.at("omega_min_rpm"), rpm, 1e-12 * rpm);
 }
 
+TEST(SpinVerdict, SaysFromWhichSpeedOnTheSpectrumIsStable) {
+  const Verdict verdict = Spin({}).verify(box_moments({0, 0, 0.2}, {2, 1, 0.5}), length_mm);
+  // Gliding and of unequal moments: that of eq. 1. Held: moments about the tip, M l^2 larger.
+  const double omega = verdict.values.at("omega_min_rpm"), tip = 0.2 * 0.2;
+  EXPECT_NEAR(verdict.values.at("gliding_stable_above_rpm"), omega, 1e-12 * omega);
+  const double difference = 5.0 / 12 - 4.25 / 12, about_tip = difference - tip;
+  ASSERT_GT(about_tip, 0);
+  const double held = omega * std::sqrt(difference / about_tip);
+  EXPECT_NEAR(verdict.values.at("held_stable_above_rpm"), held, 1e-9 * held);
+  EXPECT_NE(verdict.text.find("(spectrum: gliding above "), std::string::npos) << verdict.text;
+
+  const Verdict tower = Spin({}).verify(box_moments({0, 0, 2}, {0.5, 0.5, 4}), length_mm);
+  EXPECT_GT(tower.values.at("gliding_stable_above_rpm"), 0) << "eq. 1 knows of no such sleeping tops";
+}
+
 TEST(SpinVerdict, ABodyBelowItsContactPointSpinsAtAnySpeed) {
   const Verdict verdict = Spin({}).verify(box_moments({0, 0, -0.5}, {2, 2, 0.25}), length_mm);
   EXPECT_TRUE(verdict.ok);

@@ -7,7 +7,7 @@ import h5py
 import numpy as np
 
 SPIN = {"off_axis", "off_axis_mm", "tilt_degrees", "largest_over_lateral", "omega_min_rpm", "centre_of_mass_z_mm",
-        "objective"}
+        "gliding_stable_above_rpm", "held_stable_above_rpm", "objective"}
 
 with h5py.File(sys.argv[1], "r") as file:
     at = file.attrs

@@ -180,15 +180,15 @@ TEST_F(Record, OfARunThatEndedWithTheSolveSaysThatThereIsNoPart) {
   RunResult r = made_by_hand();
   r.config.part = Part::none;
   EXPECT_NE(run_name(r.config), run_name(made_by_hand().config));
-  const auto path = folder.path / "none.h5";
+  const auto path = folder_.path / "none.h5";
   write_record(path, r);
   const RecordSummary s = read_record(path);
   EXPECT_FALSE(s.has_part);
   EXPECT_EQ(s.verified_text, "none made, none verified: part = none");
   EXPECT_EQ(s.objective, 0.75);
   EXPECT_EQ(s.config.at("part"), "none");
-  write_record(folder.path / "made.h5", made_by_hand());
-  EXPECT_TRUE(read_record(folder.path / "made.h5").has_part);
+  write_record(folder_.path / "made.h5", made_by_hand());
+  EXPECT_TRUE(read_record(folder_.path / "made.h5").has_part);
   const auto json = to_json(r);
   EXPECT_TRUE(json.at("verified").is_null());
   EXPECT_TRUE(json.at("rounding").is_null());

@@ -64,6 +64,31 @@ TEST(WhatWouldHelp, IsTheDensityAtWhichAHeavyInteriorLiftsTheCentre) {
   EXPECT_NEAR(number_after(text, "parts of the interior of "), 7, 0.25) << text;
 }
 
+TEST(WhatWouldHelp, IsTheDensityAtWhichAHeavyInteriorWithVoidsLiftsTheCentre) {
+  const Body body = body_of(box_mesh({-0.5, -0.5, 0}, {0.5, 0.5, 1}));
+  const double w = 0.1, shell = 1 - std::pow(1 - 2 * w, 3);
+  // An upper part of density d, nothing below it.
+  const auto highest = [&](double d) {
+    double best = 0;
+    for (int i = 0; i <= 10000; ++i) {
+      const double t = w + (1 - 2 * w) * i / 10000, v = d * (1 - 2 * w) * (1 - 2 * w) * (1 - w - t);
+      best = std::max(best, (0.5 * shell + v * (t + 1 - w) / 2) / (shell + v));
+    }
+    return best;
+  };
+  const Balance problem({0, 0, highest(3.0)}, Vec3(1, 0, 0));
+  const std::string text = what_would_help(config_of(w), body, problem, test_device(), {});
+  EXPECT_NEAR(number_after(text, "an interior of "), 3, 0.12) << text;
+
+  // With heavy voids the roles are swapped: they are what has to be heavier.
+  Body swapped = body;
+  swapped.interior_density = 0.5;
+  swapped.void_density = 2;
+  const std::string other = what_would_help(config_of(w), swapped, problem, test_device(), {});
+  EXPECT_GT(number_after(other, "voids of "), 3) << other;
+  EXPECT_NE(other.find("--void-density"), std::string::npos) << other;
+}
+
 TEST(WhatWouldHelp, SaysSoWhenNothingDoes) {
   const Body body = body_of(box_mesh({-0.5, -0.5, 0}, {0.5, 0.5, 1}));
   const std::string text =

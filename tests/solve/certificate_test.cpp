@@ -8,6 +8,7 @@
 #include "body/mesh_moments.hpp"
 #include "formulation/quadric.hpp"
 #include "problem/float.hpp"
+#include "problem/spin.hpp"
 #include "problem/stand.hpp"
 #include "solve/certified_cases.hpp"
 #include "solve/certify_spin.hpp"

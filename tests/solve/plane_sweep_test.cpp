@@ -67,7 +67,9 @@ TEST(PlaneSweep, NeverEndsFartherFromTheTargetThanItBegan) {
       for (int k = run.k0; k < run.k1; ++k, ++voxel)
         EXPECT_TRUE(outcome.x[voxel] == 0 || outcome.x[voxel] == 1);
     // A target within a quarter of the box's reach can be met to about what one voxel does.
-    if (target.cwiseAbs().maxCoeff() < 0.08) EXPECT_LT(off(outcome.moments), 2e-3);
+    if (target.cwiseAbs().maxCoeff() < 0.08) {
+      EXPECT_LT(off(outcome.moments), 2e-3);
+    }
     const Outcome again = box.solve(over(target[0], target[1]), mass);
     EXPECT_EQ(again.x, outcome.x);
   }

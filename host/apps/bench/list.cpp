@@ -38,11 +38,11 @@ int list() {
   fmt::print("solvers (--solver)\n");
   for (const SolverEntry& s : solvers()) fmt::print("  {:<12} {}\n", s.name, s.summary);
   fmt::print("which pairs work\n  {:<12}", "");
-  for (const SolverEntry& s : solvers()) fmt::print(" {:<8}", s.name);
+  for (const SolverEntry& s : solvers()) fmt::print(" {:<12}", s.name);
   for (const FormulationEntry& f : formulations()) {
     fmt::print("\n  {:<12}", f.name);
     for (const SolverEntry& s : solvers())
-      fmt::print(" {:<8}", std::ranges::find(s.formulations, f.name) != s.formulations.end() ? "yes" : "no");
+      fmt::print(" {:<12}", std::ranges::find(s.formulations, f.name) != s.formulations.end() ? "yes" : "no");
   }
   fmt::print("\n");
   print_experiments();

@@ -34,6 +34,7 @@ constexpr std::pair<const char*, const char*> fields[] = {
     {"solver", "default: ipopt, for quadric moment"},
     {"domain", "columns (whole cells) or exact (cut at the wall); default columns, for quadric exact"},
     {"resolution", "cells along the longest side, or NXxNYxNZ; default 64"},
+    {"level", "of an octree: 2^level cells along the longest side"},
     {"wall", "least wall: 1.5h (cells), 2% (of the longest side) or mm; default 1.5h"},
     {"rounding", "of the written part: nearest, or fitted so that the constraints hold (default)"},
     {"part", "written (default), or none: the run ends with the solve"},

@@ -71,6 +71,12 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
   if (!r.scope.empty()) fmt::print("  possible   {}\n", r.scope);
   fmt::print("  solve      {} ({}), {} iterations, {} variables\n", to_string(o.termination), o.message,
              o.iterations, r.variables);
+  for (const Refinement& round : o.refinements)
+    fmt::print(
+        "  refine     {:>7} cells, {:>6} fractional ({} to split), {:>6} finest, {} along voids; f = {:.6f}, "
+        "regulariser {:.2g}; {} iterations, {:.2f} s\n",
+        round.variables, round.cells.fractional, round.cells.coarse, round.cells.finest, round.cells.along,
+        round.objective, round.regulariser, round.iterations, round.seconds);
   if (!r.infeasibility.empty()) fmt::print("  infeasible {}\n", r.infeasibility);
   if (!r.remedies.empty()) fmt::print("  would help {}\n", r.remedies);
   fmt::print("  time       {:.3f} s solve ({:.3f} s in kernels), {:.3f} s set-up; median of {}\n",

@@ -20,7 +20,7 @@ namespace {
 /// A line of the table: what, and what it is for the solid and the part.
 template <class Of>
 void row(const Simulation& s, std::string_view what, const Of& of) {
-  fmt::print("  {:<10} {:<50} {}\n", what, of(s.solid), s.hollow ? of(s.part) : "");
+  fmt::print("  {:<10} {:<56} {}\n", what, of(s.solid), s.hollow ? of(s.part) : "");
 }
 
 std::string eq1(const SimulatedBody& body) {
@@ -64,7 +64,11 @@ std::string ranges(const std::vector<SpinAtSpeed>& scan, const Holds& holds) {
 void print_spin(const Simulation& s) {
   if (s.config.problem != "yoyo") row(s, "eq. 1", eq1);
   for (std::size_t i = 0; i < contacts.size(); ++i)
-    row(s, contacts[i].second, [&](const SimulatedBody& b) { return describe(b.spin->stable_rpm[i]); });
+    row(s, contacts[i].second, [&](const SimulatedBody& b) {
+      const bool balanced =
+          b.verdict.values.at("off_axis") <= 1e-3 && b.verdict.values.at("tilt_degrees") <= 0.1;
+      return describe(b.spin->stable_rpm[i]) + (balanced ? "" : ", were it balanced");
+    });
   row(s, "steady", [](const SimulatedBody& b) { return steady(b.spin->at_speed); });
   row(s, "motion", [](const SimulatedBody& b) { return motion(*b.spin); });
   row(s, "drift", [](const SimulatedBody& b) { return drift(b.spin->motion); });
@@ -103,7 +107,7 @@ void print_float(const Simulation& s) {
   });
   for (const std::size_t i : {0u, 1u})
     row(s, i == 0 ? "righting" : "across", [&](const SimulatedBody& b) -> std::string {
-      if (b.righting.empty()) return "sinks";
+      if (b.righting.empty()) return "submerged, or sinks";
       const RightingArm& arm = b.righting[i];
       const double most = *std::ranges::max_element(arm.gz) * s.length_mm;
       return fmt::format("slope {:.3f} mm, {}", arm.metacentric_height * s.length_mm,
@@ -116,13 +120,13 @@ void print_float(const Simulation& s) {
 
 void print_simulation(const Simulation& s) {
   fmt::print("{}: {} simulated{}\n", s.body_name, s.config.problem,
-             s.part.spin ? fmt::format(", {}, from a tilt of {:g} degrees at {:.0f} rpm for {:g} s",
+             s.part.spin ? fmt::format(", {}, {:.0f} rpm for {:g} s, tilted by {:g} degrees at the start",
                                        s.spin.contact == Contact::held      ? "the tip held in place"
                                        : s.spin.contact == Contact::gliding ? "the tip gliding on a plane"
                                                                             : "in free fall",
-                                       s.spin.tilt_degrees, s.spin.rpm, s.spin.seconds)
+                                       s.spin.rpm, s.spin.seconds, s.spin.tilt_degrees)
                          : "");
-  fmt::print("  {:<10} {:<50} {}\n", "", "solid", s.hollow ? "part" : "");
+  fmt::print("  {:<10} {:<56} {}\n", "", "solid", s.hollow ? "part" : "");
   if (s.part.spin)
     print_spin(s);
   else if (s.config.problem == "stand")

@@ -1,0 +1,133 @@
+#include "formulation/cell_moments.hpp"
+
+#include <algorithm>
+
+#include "cell_moments_params.h"
+#include "device/program.hpp"
+
+namespace kreisel {
+namespace {
+
+using device::checked;
+
+/// Words of the runs; the kernel may load some beyond the last.
+template <class Value>
+cl::Buffer upload_runs(device::Device& device, const Columns& domain, Value value) {
+  constexpr std::size_t beyond = 8;
+  std::vector<std::uint32_t> words;
+  words.reserve(domain.intervals.size() + beyond);
+  for (const Interval& run : domain.intervals) words.push_back(static_cast<std::uint32_t>(value(run)));
+  words.resize(words.size() + beyond);
+  return upload_words(device, words);
+}
+
+}  // namespace
+
+CubeSums full_cube(int edge) {
+  const auto n = static_cast<std::uint64_t>(edge), k = n * (n - 1) / 2, kk = n * (n - 1) * (2 * n - 1) / 6;
+  return {n * n * n, n * n * k, n * n * k,  n * n * k,  n * k * k,
+          n * k * k, n * k * k, n * n * kk, n * n * kk, n * n * kk};
+}
+
+CubeSums in_parent(const CubeSums& s, const Cube& cube) {
+  const std::uint64_t x = cube.x & cube.edge, y = cube.y & cube.edge,
+                      z = cube.z & cube.edge;  // 0 or the edge
+  return {s[S1],
+          s[SX] + x * s[S1],
+          s[SY] + y * s[S1],
+          s[SZ] + z * s[S1],
+          s[SXY] + x * s[SY] + y * s[SX] + x * y * s[S1],
+          s[SYZ] + y * s[SZ] + z * s[SY] + y * z * s[S1],
+          s[SXZ] + x * s[SZ] + z * s[SX] + x * z * s[S1],
+          s[SXX] + 2 * x * s[SX] + x * x * s[S1],
+          s[SYY] + 2 * y * s[SY] + y * y * s[S1],
+          s[SZZ] + 2 * z * s[SZ] + z * z * s[S1]};
+}
+
+Moments moments_of(const Grid& grid, const Cube& cube, const CubeSums& sums) {
+  Moments s;
+  for (int k = 0; k < 10; ++k) s[k] = static_cast<double>(sums[static_cast<std::size_t>(k)]);
+  for (const int k : {SXX, SYY, SZZ}) s[k] += s[S1] / 12;  // of a voxel's own extent
+  return transformed(scaled(s, grid.h, 1), Eigen::Matrix3d::Identity(),
+                     {grid.centre(0, cube.x), grid.centre(1, cube.y), grid.centre(2, cube.z)});
+}
+
+std::vector<std::uint32_t> first_runs(const Columns& domain) {
+  const auto nx = static_cast<std::size_t>(domain.grid.n[0]);
+  std::vector<std::uint32_t> first(nx * static_cast<std::size_t>(domain.grid.n[1]) + 1);
+  for (const Interval& run : domain.intervals) ++first[run.ix + nx * run.iy + 1];
+  for (std::size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
+  return first;
+}
+
+CellMoments::CellMoments(device::Device& device, const Columns& domain)
+    : device_(&device),
+      nx_(domain.grid.n[0]),
+      ny_(domain.grid.n[1]),
+      first_(upload_words(device, first_runs(domain))),
+      ix_(upload_runs(device, domain, [](const Interval& run) { return run.ix; })),
+      low_(upload_runs(device, domain, [](const Interval& run) { return run.k0; })),
+      high_(upload_runs(device, domain, [](const Interval& run) { return run.k1; })),
+      kernel_(device::build(device, "cell_moments"), "cell_moments") {
+  kernel_.setArg(3, first_);
+  kernel_.setArg(4, ix_);
+  kernel_.setArg(5, low_);
+  kernel_.setArg(6, high_);
+}
+
+std::vector<CubeSums> CellMoments::operator()(std::span<const Cube> cubes) {
+  std::vector<CubeSums> sums(cubes.size());
+  if (cubes.empty()) return sums;
+  const std::size_t padded = device::padded(cubes.size());
+  std::vector<std::uint32_t> corners, edges;
+  corners.reserve(cubes.size());
+  edges.reserve(cubes.size());
+  for (const Cube& c : cubes) {
+    corners.push_back(c.x | std::uint32_t{c.y} << 10 | std::uint32_t{c.z} << 20);
+    edges.push_back(c.edge);
+  }
+  const cl::Buffer corner = upload_words(*device_, corners), edge = upload_words(*device_, edges);
+  const cl::Buffer out = checked("allocating a device array", [&] {
+    return cl::Buffer(device_->context(), CL_MEM_WRITE_ONLY, padded * sizeof(CubeSums));
+  });
+  kernel_.setArg(1, corner);
+  kernel_.setArg(2, edge);
+  kernel_.setArg(7, out);
+  device::set_params<CellParams>(*device_, kernel_, 0, [&](auto& p) {
+    p.nx = nx_;
+    p.ny = ny_;
+    p.n = static_cast<int>(padded);
+  });
+  device_->run(kernel_, padded, device::padding);
+  checked("reading a device array", [&] {
+    device_->queue().enqueueReadBuffer(out, CL_TRUE, 0, sums.size() * sizeof(CubeSums), sums.data());
+  });
+  return sums;
+}
+
+namespace reference {
+
+std::vector<Moments> cell_moments(const Columns& domain, std::span<const Cube> cubes) {
+  const Grid& grid = domain.grid;
+  const std::vector<std::uint32_t> first = first_runs(domain);
+  std::vector<Moments> all(cubes.size(), Moments::Zero());
+  for (std::size_t c = 0; c < cubes.size(); ++c) {
+    const Cube& cube = cubes[c];
+    const int bottom = cube.z, top = cube.z + cube.edge;
+    for (int iy = cube.y; iy < std::min(cube.y + cube.edge, grid.n[1]); ++iy)
+      for (int ix = cube.x; ix < std::min(cube.x + cube.edge, grid.n[0]); ++ix) {
+        const std::size_t column = ix + static_cast<std::size_t>(grid.n[0]) * iy;
+        for (std::uint32_t r = first[column]; r < first[column + 1]; ++r) {
+          const int k0 = std::max(domain.intervals[r].k0, bottom), k1 = std::min(domain.intervals[r].k1, top);
+          if (k0 >= k1) continue;
+          const double length = grid.h * (k1 - k0);
+          all[c] += box_moments({grid.centre(0, ix), grid.centre(1, iy), grid.face(2, k0) + length / 2},
+                                {grid.h, grid.h, length});
+        }
+      }
+  }
+  return all;
+}
+
+}  // namespace reference
+}  // namespace kreisel

@@ -1,0 +1,298 @@
+#include "formulation/octree.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "error.hpp"
+#include "formulation/cell_moments.hpp"
+#include "parse.hpp"
+
+namespace kreisel {
+namespace {
+
+struct OctreeOptions {
+  double gamma = 1e-3;
+  double epsilon = 0.01;
+  int start_level = 0;
+};
+
+/// A leaf that has interior.
+struct Leaf {
+  Cube cube;
+  CubeSums sums;
+  double fill = 0;     ///< while refining
+  bool quiet = false;  ///< agrees with all around it, while refining
+
+  [[nodiscard]] bool full() const { return voxels(sums) == std::uint64_t{cube.edge} * cube.edge * cube.edge; }
+};
+
+class Octree final : public Formulation {
+ public:
+  Octree(const Columns& domain, const OctreeOptions& options, device::Device& device)
+      : domain_(domain),
+        options_(options),
+        levels_(octree_levels(domain.grid)),
+        first_(first_runs(domain)),
+        kernel_(device, domain) {
+    restart();
+  }
+
+  std::string_view name() const override { return "octree"; }
+  std::size_t num_variables() const override { return leaves_.size(); }
+  const Bounds& bounds() const override { return bounds_; }
+  bool moments_are_linear() const override { return true; }
+  std::map<std::string, std::string> settings() const override {
+    return {{"gamma_l", fmt::format("{:g}", options_.gamma)},
+            {"epsilon", fmt::format("{:g}", options_.epsilon)},
+            {"start_level", std::to_string(options_.start_level)}};
+  }
+
+  Moments moments(std::span<const double> x) override {
+    return moments_ * Eigen::Map<const Eigen::VectorXd>(x.data(), size());
+  }
+  void pull_back(std::span<const double>, std::span<const Moments> weights, std::span<double> out) override {
+    for (std::size_t r = 0; r < weights.size(); ++r)
+      Eigen::Map<Eigen::VectorXd>(out.data() + r * leaves_.size(), size()).noalias() =
+          moments_.transpose() * weights[r];
+  }
+  void curvature(std::span<const double>, const Moments&, std::span<double> out) override {
+    std::ranges::fill(out, 0.0);
+  }
+  const SparseForm* regulariser() const override { return weight_ > 0 ? &regulariser_ : nullptr; }
+
+  void restart() override {
+    const std::vector<Cube> cubes = uniform_cubes(domain_.grid, 1 << (levels_ - options_.start_level));
+    const std::vector<CubeSums> sums = kernel_(cubes);
+    leaves_.clear();
+    for (std::size_t c = 0; c < cubes.size(); ++c)
+      if (voxels(sums[c]) > 0) leaves_.push_back({cubes[c], sums[c]});
+    update();
+  }
+
+  bool refines() const override { return true; }
+  bool refine(std::vector<double>& x) override {
+    const std::vector<std::uint8_t> split = to_split(x);
+    if (std::ranges::find(split, 1) == split.end()) return false;
+    look_around(x);
+    split_leaves(split);
+    while (merge_siblings()) {
+    }
+    update();
+    x.clear();
+    for (const Leaf& leaf : leaves_) x.push_back(leaf.fill);
+    return true;
+  }
+
+  std::vector<Cube> cells() const override {
+    std::vector<Cube> cubes;
+    cubes.reserve(leaves_.size());
+    for (const Leaf& leaf : leaves_) cubes.push_back(leaf.cube);
+    return cubes;
+  }
+
+  CellCounts count_cells(std::span<const double> x) const override {
+    CellCounts counts;
+    counts.weight = weight_;
+    std::vector<std::uint8_t> along(leaves_.size());
+    for (const auto& [low, high] : faces_)
+      if (solid(x[low]) != solid(x[high])) along[low] = along[high] = 1;
+    for (std::size_t c = 0; c < leaves_.size(); ++c) {
+      const bool finest = leaves_[c].cube.edge == 1;
+      counts.finest += finest;
+      counts.along += finest && along[c];
+      counts.fractional += fractional(x[c]);
+      counts.coarse += fractional(x[c]) && !finest;
+    }
+    return counts;
+  }
+
+  Rounded round(std::span<const double> x) const override {
+    Rounded rounded{VoxelSet(domain_, false)};
+    const Grid& grid = domain_.grid;
+    for (std::size_t c = 0; c < leaves_.size(); ++c) {
+      if (!solid(x[c])) continue;
+      const Cube& cube = leaves_[c].cube;
+      for (int iy = cube.y; iy < std::min(cube.y + cube.edge, grid.n[1]); ++iy) {
+        const std::size_t row = static_cast<std::size_t>(grid.n[0]) * iy;
+        const auto end = static_cast<std::size_t>(std::min(cube.x + cube.edge, grid.n[0]));
+        for (std::uint32_t r = first_[row + cube.x]; r < first_[row + end]; ++r) {
+          const Interval& run = domain_.intervals[r];
+          const int k0 = std::max<int>(run.k0, cube.z), k1 = std::min<int>(run.k1, cube.z + cube.edge);
+          if (k0 < k1)
+            rounded.solid.set(rounded.solid.first(r) + static_cast<std::size_t>(k0 - run.k0),
+                              static_cast<std::size_t>(k1 - k0), true);
+        }
+      }
+    }
+    rounded.mended = make_well_composed(rounded.solid);
+    return rounded;
+  }
+
+ private:
+  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(leaves_.size()); }
+  [[nodiscard]] static bool solid(double fill) { return fill >= 0.5; }
+  [[nodiscard]] bool fractional(double fill) const {
+    return fill >= options_.epsilon && fill <= 1 - options_.epsilon;
+  }
+
+  /// Leaves that are not yet voxels and either fractional, or beside one that rounds to the other side: there
+  /// the surface of the void would follow a coarse cell.
+  [[nodiscard]] std::vector<std::uint8_t> to_split(std::span<const double> x) const {
+    std::vector<std::uint8_t> split(leaves_.size());
+    for (std::size_t c = 0; c < leaves_.size(); ++c) split[c] = fractional(x[c]);
+    for (const auto& [low, high] : faces_)
+      if (solid(x[low]) != solid(x[high])) split[low] = split[high] = 1;
+    for (std::size_t c = 0; c < leaves_.size(); ++c)
+      if (leaves_[c].cube.edge == 1) split[c] = 0;
+    return split;
+  }
+
+  /// Notes fills, and which leaves agree with all that share a face with them.
+  void look_around(std::span<const double> x) {
+    for (std::size_t c = 0; c < leaves_.size(); ++c) {
+      leaves_[c].fill = x[c];
+      leaves_[c].quiet = !fractional(x[c]);
+    }
+    for (const auto& [low, high] : faces_)
+      if (fractional(x[low]) || fractional(x[high]) || solid(x[low]) != solid(x[high]))
+        leaves_[low].quiet = leaves_[high].quiet = false;
+  }
+
+  /// Only the parts of leaves that hold shell are summed again.
+  void split_leaves(const std::vector<std::uint8_t>& split) {
+    std::vector<Leaf> leaves;
+    std::vector<std::size_t> cut;
+    std::vector<Cube> cubes;
+    for (std::size_t c = 0; c < leaves_.size(); ++c) {
+      if (!split[c]) {
+        leaves.push_back(leaves_[c]);
+        continue;
+      }
+      for (int part = 0; part < 8; ++part) {
+        const Cube child = leaves_[c].cube.child(part);
+        if (!leaves_[c].full()) {
+          cut.push_back(leaves.size());
+          cubes.push_back(child);
+        }
+        leaves.push_back({child, full_cube(child.edge), leaves_[c].fill, false});
+      }
+    }
+    const std::vector<CubeSums> sums = kernel_(cubes);
+    for (std::size_t i = 0; i < cut.size(); ++i) leaves[cut[i]].sums = sums[i];
+    std::erase_if(leaves, [](const Leaf& leaf) { return voxels(leaf.sums) == 0; });
+    leaves_ = std::move(leaves);
+  }
+
+  /// Makes one of all leaves in a cube where these are its children and agree. @return  whether there were
+  /// any
+  bool merge_siblings() {
+    const int coarsest = 1 << (levels_ - options_.start_level);
+    std::vector<Leaf> leaves;
+    bool any = false;
+    for (std::size_t c = 0; c < leaves_.size();) {
+      const Cube parent = leaves_[c].cube.parent();
+      std::size_t end = c;
+      while (end < leaves_.size() && holds(parent, leaves_[end].cube)) ++end;
+      const bool first = c == 0 || !holds(parent, leaves_[c - 1].cube);
+      const bool agree = std::all_of(leaves_.begin() + c, leaves_.begin() + end, [&](const Leaf& leaf) {
+        return leaf.quiet && leaf.cube.edge == leaves_[c].cube.edge &&
+               solid(leaf.fill) == solid(leaves_[c].fill);
+      });
+      if (first && agree && parent.edge <= coarsest) {
+        leaves.push_back(merged(parent, std::span(leaves_).subspan(c, end - c)));
+        any = true;
+        c = end;
+      } else {
+        leaves.push_back(leaves_[c++]);
+      }
+    }
+    leaves_ = std::move(leaves);
+    return any;
+  }
+
+  [[nodiscard]] static bool holds(const Cube& parent, const Cube& cube) {
+    const int mask = ~(parent.edge - 1);
+    return cube.edge < parent.edge && (cube.x & mask) == parent.x && (cube.y & mask) == parent.y &&
+           (cube.z & mask) == parent.z;
+  }
+
+  [[nodiscard]] static Leaf merged(const Cube& parent, std::span<const Leaf> children) {
+    Leaf leaf{parent, {}, 0, true};
+    for (const Leaf& child : children) {
+      const CubeSums sums = in_parent(child.sums, child.cube);
+      for (std::size_t k = 0; k < sums.size(); ++k) leaf.sums[k] += sums[k];
+      leaf.fill += child.fill * static_cast<double>(voxels(child.sums));
+    }
+    leaf.fill /= static_cast<double>(voxels(leaf.sums));
+    return leaf;
+  }
+
+  /// What follows from the leaves.
+  void update() {
+    moments_.resize(10, size());
+    int finest = Cube::most_edge;
+    for (std::size_t c = 0; c < leaves_.size(); ++c) {
+      moments_.col(static_cast<Eigen::Index>(c)) = moments_of(domain_.grid, leaves_[c].cube, leaves_[c].sums);
+      finest = std::min<int>(finest, leaves_[c].cube.edge);
+    }
+    bounds_ = {std::vector<double>(leaves_.size(), 0.0), std::vector<double>(leaves_.size(), 1.0)};
+    faces_ = shared_faces(cells(), levels_);
+    // At the void's surface a cell of edge e weighs e^4 in the objective, its volume times how far it reaches
+    // from the surface, where its derivative is zero. A regulariser in proportion keeps the layer of
+    // fractional cells as many cells thick at every level.
+    const int level = levels_ - std::countr_zero(static_cast<unsigned>(finest));
+    weight_ = options_.gamma * std::pow(16.0, 4 - level);
+    std::vector<int> degree(leaves_.size());
+    regulariser_.entries.clear();
+    for (const auto& [low, high] : faces_) {
+      ++degree[low];
+      ++degree[high];
+      regulariser_.entries.push_back(
+          {static_cast<int>(std::max(low, high)), static_cast<int>(std::min(low, high)), -weight_});
+    }
+    for (std::size_t c = 0; c < leaves_.size(); ++c)
+      regulariser_.entries.push_back({static_cast<int>(c), static_cast<int>(c), weight_ * degree[c]});
+  }
+
+  const Columns& domain_;
+  OctreeOptions options_;
+  int levels_;
+  std::vector<std::uint32_t> first_;
+  CellMoments kernel_;
+  std::vector<Leaf> leaves_;  ///< along the curve
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> faces_;
+  Eigen::Matrix<double, 10, Eigen::Dynamic> moments_;  ///< of each leaf, body units
+  double weight_ = 0;
+  SparseForm regulariser_;
+  Bounds bounds_;
+};
+
+}  // namespace
+
+std::unique_ptr<Formulation> make_octree(const Columns& domain, const Traits&,
+                                         const FormulationSettings& settings, device::Device& device) {
+  const int levels = octree_levels(domain.grid);
+  const int coarsest = std::max(0, levels - std::countr_zero(static_cast<unsigned>(Cube::most_edge)));
+  OctreeOptions options{.start_level = std::max(coarsest, levels / 2)};
+  for (const auto& [name, value] : settings) {
+    const auto number = parse<double>(value);
+    const auto level = parse<int>(value);
+    if (name == "gamma_l" && number && *number >= 0 && std::isfinite(*number))
+      options.gamma = *number;
+    else if (name == "epsilon" && number && *number > 0 && *number < 0.5)
+      options.epsilon = *number;
+    else if (name == "start_level" && level && *level >= coarsest && *level <= levels)
+      options.start_level = *level;
+    else
+      throw InputError(
+          fmt::format("formulation.{} = {} for octree; expected gamma_l >= 0, 0 < epsilon < 0.5 or {} <= "
+                      "start_level <= {}",
+                      name, value, coarsest, levels));
+  }
+  return std::make_unique<Octree>(domain, options, device);
+}
+
+}  // namespace kreisel
