@@ -58,7 +58,8 @@ CERTIFIED = {
     "/": {"bound": REAL, "gap": REAL},
     "/certificate": {
         "kind": TEXT, "bound": REAL, "best": REAL, "reached": FLAG, "message": TEXT, "seconds": REAL,
-        "searches": WHOLE, "separation": REAL, "contrast": REAL, "lambda": REAL, "gamma_i": REAL,
+        "searches": WHOLE, "separation": REAL, "contrast": REAL, "lambda": REAL, "height": REAL,
+        "moment": REAL, "gamma_i": REAL, "sz_most": REAL,
     },
 }
 
