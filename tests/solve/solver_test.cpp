@@ -244,8 +244,8 @@ TEST(FindSolver, NamesTheSolversAndFormulationsThereAre) {
     return "accepted";
   };
   EXPECT_EQ(message("snopt", "voxel").find("solver 'snopt' is unknown; expected one of: ipopt"), 0u);
-  const std::string text = message("ipopt", "octree");
-  EXPECT_EQ(text.find("solver 'ipopt' does not work with formulation 'octree'; it works with: voxel, rayrep"),
+  const std::string text = message("ipopt", "quadric");
+  EXPECT_EQ(text.find("solver 'ipopt' does not work with formulation 'quadric'; it works with: voxel, rayrep"),
             0u)
       << text;
 }
