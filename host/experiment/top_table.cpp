@@ -69,7 +69,7 @@ std::vector<Cell> row_of(const RecordedRun& run, const std::optional<Published>&
          Cell::of(solid.off_axis * r.length_mm, "{:.2f}"), Cell::of(solid.tilt_degrees, "{:.2f}"),
          Cell::of(solid.height * r.length_mm, "{:.2f}"), Cell::of(solid.moment_ratio, "{:.3f}"), rpm(r.solid),
          Cell::of(part.height * r.length_mm, "{:.2f}"), Cell::of(part.moment_ratio, "{:.3f}"), rpm(r.written),
-         falls
+         falls(config)
              ? Cell::of(omega_min_rpm(r.solid, r.length_mm) / omega_min_rpm(r.written, r.length_mm), "{:.2f}")
              : Cell::none()});
   } else {
