@@ -36,4 +36,10 @@ struct Memory {
   return {machine, false, "this machine has"};
 }
 
+/// The most memory that this process has had in use so far.
+[[nodiscard]] inline double peak_memory() {
+  rusage usage{};
+  return ::getrusage(RUSAGE_SELF, &usage) == 0 ? 1024.0 * static_cast<double>(usage.ru_maxrss) : 0.0;
+}
+
 }  // namespace kreisel

@@ -20,24 +20,33 @@ static inline int fault_of(float b, float back, float front) {
 
 kernel void nest_envelope(NestRaster p, const global NestView* view, const global int4* point,
                           const global uint* corner, global float16* depth, global int4* bad, global uchar* map) {
-  const int local_item = get_global_id(0), item = p.first_item + local_item;
+  if (get_global_id(0) % NEST_SPREAD) return;
+  const int local_item = get_global_id(0) / NEST_SPREAD, item = p.first_item + local_item;
   if (item >= 2 * p.bands) return;
   const int second = item / p.bands;
   const int row0 = item % p.bands * p.band, row1 = min(row0 + p.band, p.tiles) - 1;
   const global int4* seen = point + second * (size_t)p.vertices;
   const float plane[3] = {view[second].plane[0], view[second].plane[1], view[second].plane[2]};
   global float16* mine = depth + 3 * (size_t)p.tiles * p.band * local_item;
+#define LANE(t) (4 * ((t).py & 3) + ((t).px & 3))
 #define TILE(tx, ty) (mine + 3 * ((size_t)((ty)-row0) * p.tiles + (tx)))
 
   for (int ty = row0; ty <= row1; ++ty)
     for (int tx = 0; tx < p.tiles; ++tx) *TILE(tx, ty) = -FAR;
   NestTriangle t;
   int16 covered;
+  int one;
   int left = p.tiles, right = -1, bottom = p.tiles, top = -1;  // tiles that hold B
   for (int i = p.first_b; i < p.triangles; ++i) {
     const global uint* c = corner + 3 * (size_t)i;
     if (!nest_triangle(&t, seen[c[0]], seen[c[1]], seen[c[2]], 0, row0, p.tiles - 1, row1)) continue;
     left = min(left, t.tx0), right = max(right, t.tx1), bottom = min(bottom, t.ty0), top = max(top, t.ty1);
+    if (t.single) {
+      const float w = nest_fragment(&t, plane, &one);
+      global float* b = (global float*)TILE(t.tx0, t.ty0) + LANE(t);
+      if (one) *b = max(*b, w);
+      continue;
+    }
     for (int ty = t.ty0; ty <= t.ty1; ++ty)
       for (int tx = t.tx0; tx <= t.tx1; ++tx) {
         const float16 w = nest_fragments(&t, plane, tx, ty, &covered);
@@ -51,6 +60,12 @@ kernel void nest_envelope(NestRaster p, const global NestView* view, const globa
     for (int i = 0; i < p.first_b; ++i) {
       const global uint* c = corner + 3 * (size_t)i;
       if (!nest_triangle(&t, seen[c[0]], seen[c[1]], seen[c[2]], left, bottom, right, top)) continue;
+      if (t.single) {
+        const float w = nest_fragment(&t, plane, &one);
+        global float* a = (global float*)(TILE(t.tx0, t.ty0) + 1 + t.front) + LANE(t);
+        if (one) *a = min(*a, w);
+        continue;
+      }
       for (int ty = t.ty0; ty <= t.ty1; ++ty)
         for (int tx = t.tx0; tx <= t.tx1; ++tx) {
           const float16 w = nest_fragments(&t, plane, tx, ty, &covered);

@@ -1,28 +1,39 @@
 // nest_project.cl - the vertices of both meshes in the two views of a cut. [Nest, s. 5]
 //
-// in    vertex   float [4*vertices]    x y z 1, A's then B's, nesting units
-//       view     NestView [2]          one a half
-// out   point    int4  [2*vertices]    x, y in steps of a pixel; depth w and depth beyond the plane as floats
-//       outside  int   [1]             the first vertex of B outside a view; set to INT_MAX before
-// one item a vertex and view; x, y of vertices far outside are cut off at 4 times the view
+// in    vertex   float [3*stride]    all x, all y, all z, nesting units: A's vertices, then B's, each padded to whole
+//                                    groups of 16 by repeating the last
+//       view     NestView [2]        one a half
+// out   point    int4  [2*vertices]  x, y in steps of a pixel; depth w and depth beyond the plane as floats
+//       outside  int   [1]           a group of B that holds a vertex outside a view, the first; INT_MAX before
+// one item a group of 16 vertices, both views; x, y of vertices far outside are cut off at 4 times the view
 #include "nest_raster_params.h"
 
-static inline float row(const global float* m, float4 v) {
-  return fma(m[0], v.x, fma(m[1], v.y, fma(m[2], v.z, m[3])));
+static inline float16 row(const global float* m, float16 x, float16 y, float16 z) {
+  return fma((float16)m[0], x, fma((float16)m[1], y, fma((float16)m[2], z, (float16)m[3])));
 }
 
-kernel void nest_project(NestRaster p, const global NestView* view, const global float4* vertex, global int4* point,
+static inline int16 steps(float16 x, float limit) {
+  return convert_int16(rint(clamp(x, (float16)-limit, (float16)limit) * (float)NEST_STEPS));
+}
+
+kernel void nest_project(NestRaster p, const global NestView* view, const global float* vertex, global int4* point,
                          global int* outside) {
-  const int i = get_global_id(0), second = i >= p.vertices;
-  if (i >= 2 * p.vertices) return;
-  const int v = i - second * p.vertices;
-  const global NestView* mine = view + second;
-  const global float* m = v < p.inner ? mine->a : mine->b;
-  const float x = row(m, vertex[v]), y = row(m + 4, vertex[v]), w = row(m + 8, vertex[v]);
-  const float limit = 4.0f * p.width;
-  const float side = w - fma(mine->plane[1], x, fma(mine->plane[2], y, mine->plane[0]));
-  const int4 out = {convert_int_rte(clamp(x, -limit, limit) * NEST_STEPS),
-                    convert_int_rte(clamp(y, -limit, limit) * NEST_STEPS), as_int(w), as_int(side)};
-  point[i] = out;
-  if (v >= p.inner && !(x >= 0 && y >= 0 && x <= p.width && y <= p.width)) atomic_min(outside, v);
+  const int group = get_global_id(0), first = 16 * group;
+  if (first >= p.vertices) return;
+  const float16 vx = vload16(group, vertex), vy = vload16(group, vertex + p.vertices),
+                vz = vload16(group, vertex + 2 * (size_t)p.vertices);
+  for (int k = 0; k < 2; ++k) {
+    const global NestView* mine = view + k;
+    const global float* m = first < p.inner ? mine->a : mine->b;
+    const float16 x = row(m, vx, vy, vz), y = row(m + 4, vx, vy, vz), w = row(m + 8, vx, vy, vz);
+    const float16 side = w - fma((float16)mine->plane[1], x, fma((float16)mine->plane[2], y, (float16)mine->plane[0]));
+    const float width = p.width;
+    const int16 px = steps(x, 4 * width), py = steps(y, 4 * width);
+    global int4* out = point + k * (size_t)p.vertices + first;
+    for (int i = 0; i < 16; ++i) {
+      const int4 v = {((int*)&px)[i], ((int*)&py)[i], ((int*)&w)[i], ((int*)&side)[i]};
+      out[i] = v;
+    }
+    if (first >= p.inner && any(~((x >= 0) & (y >= 0) & (x <= width) & (y <= width)))) atomic_min(outside, group);
+  }
 }

@@ -7,6 +7,10 @@
  * on an edge belongs to both triangles and a closed surface has no cracks. */
 #define NEST_STEPS 256
 
+/* Work-items of nest_envelope of which one has work. PoCL hands half of all groups to the first thread that asks, so a
+ * few long ones would run one after the other. */
+#define NEST_SPREAD 32
+
 /* Why a pixel is bad: nest::Fault on the host. */
 #define NEST_GOOD 0
 #define NEST_OUTSIDE 1
@@ -22,9 +26,9 @@ typedef struct {
 } NestView;
 
 typedef struct {
-  int width;     /* pixels along either side, a multiple of 4 in memory */
+  int width;     /* pixels along either side */
   int tiles;     /* 4 x 4 tiles along either side */
-  int vertices;  /* of A and B together */
+  int vertices;  /* of A and B together, each padded to whole groups of 16 */
   int inner;     /* the first vertex of B */
   int triangles; /* of A and B together */
   int first_b;   /* the first triangle of B */

@@ -16,6 +16,7 @@ LOOKS = {
     "quadric": ("one quadric", style.COLOURS[2], "D"),
     "rayrep": ("ray-rep, lifted exact Hessian", style.BLUE, "o"),
     "rayrep, limited-memory": ("ray-rep, L-BFGS", style.COLOURS[5], "^"),
+    "octree": ("octree", style.COLOURS[4], "v"),
     "voxel": ("voxels", style.VERMILION, "s"),
 }
 

@@ -8,6 +8,7 @@
 #include "experiment/data_folder.hpp"
 #include "experiment/inertia_table.hpp"
 #include "experiment/maps_table.hpp"
+#include "experiment/octree_table.hpp"
 #include "experiment/published_table.hpp"
 #include "experiment/run_text.hpp"
 #include "experiment/runner.hpp"
@@ -41,6 +42,9 @@ const std::vector<TableKind>& table_kinds() {
        top_tables},
       {"simulation", "a row a run: solid and part set spinning beside each other", simulation_tables},
       {"inertia", "a block a run: inertia tensor and principal moments before and after", inertia_tables},
+      {"octree",
+       "a row a run: cells, seconds and memory from the model to the written part, and what it reaches",
+       octree_tables},
   };
   return all;
 }

@@ -90,7 +90,7 @@ class Formulation {
   /// Whether its variables are cells of different sizes that refine() splits and merges.
   [[nodiscard]] virtual bool refines() const { return false; }
   /// Refines the variables where the optimum x asks for it; x becomes where the next solve starts.
-  /// @return  false when nothing is left to refine, and all stays as it is
+  /// @return  false when no other solve is asked for: then the moments of x have not changed
   [[nodiscard]] virtual bool refine(std::vector<double>& /*x*/) { return false; }
   /// Back to the variables before the first refine().
   virtual void restart() {}

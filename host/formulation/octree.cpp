@@ -74,16 +74,20 @@ class Octree final : public Formulation {
 
   bool refines() const override { return true; }
   bool refine(std::vector<double>& x) override {
-    const std::vector<std::uint8_t> split = to_split(x);
-    if (std::ranges::find(split, 1) == split.end()) return false;
-    look_around(x);
-    split_leaves(split);
-    while (merge_siblings()) {
+    // A solve is due where cells are fractional that need not be, or where none is a voxel yet. What else is
+    // coarse on the void's surface is split as it is, which changes no moment.
+    const bool due = count_cells(x).coarse > 0 || finest_ > 1;
+    for (std::vector<std::uint8_t> split; split = to_split(x), std::ranges::find(split, 1) != split.end();) {
+      look_around(x);
+      split_leaves(split);
+      while (due && merge_siblings()) {
+      }
+      update();
+      x.clear();
+      for (const Leaf& leaf : leaves_) x.push_back(leaf.fill);
+      if (due) return true;
     }
-    update();
-    x.clear();
-    for (const Leaf& leaf : leaves_) x.push_back(leaf.fill);
-    return true;
+    return false;
   }
 
   std::vector<Cube> cells() const override {
@@ -233,18 +237,18 @@ class Octree final : public Formulation {
   /// What follows from the leaves.
   void update() {
     moments_.resize(10, size());
-    int finest = Cube::most_edge;
+    finest_ = Cube::most_edge;
     for (std::size_t c = 0; c < leaves_.size(); ++c) {
       moments_.col(static_cast<Eigen::Index>(c)) = moments_of(domain_.grid, leaves_[c].cube, leaves_[c].sums);
-      finest = std::min<int>(finest, leaves_[c].cube.edge);
+      finest_ = std::min<int>(finest_, leaves_[c].cube.edge);
     }
     bounds_ = {std::vector<double>(leaves_.size(), 0.0), std::vector<double>(leaves_.size(), 1.0)};
     faces_ = shared_faces(cells(), levels_);
     // At the void's surface a cell of edge e weighs e^4 in the objective, its volume times how far it reaches
     // from the surface, where its derivative is zero. A regulariser in proportion keeps the layer of
     // fractional cells as many cells thick at every level.
-    const int level = levels_ - std::countr_zero(static_cast<unsigned>(finest));
-    weight_ = options_.gamma * std::pow(16.0, 4 - level);
+    const int level = levels_ - std::countr_zero(static_cast<unsigned>(finest_));
+    weight_ = options_.gamma * std::pow(16.0, 3 - level);
     std::vector<int> degree(leaves_.size());
     regulariser_.entries.clear();
     for (const auto& [low, high] : faces_) {
@@ -265,6 +269,7 @@ class Octree final : public Formulation {
   std::vector<Leaf> leaves_;  ///< along the curve
   std::vector<std::pair<std::uint32_t, std::uint32_t>> faces_;
   Eigen::Matrix<double, 10, Eigen::Dynamic> moments_;  ///< of each leaf, body units
+  int finest_ = 0;                                     ///< edge of the smallest leaf
   double weight_ = 0;
   SparseForm regulariser_;
   Bounds bounds_;

@@ -8,7 +8,7 @@ namespace kreisel {
 /// x[c] in [0,1] is the fill of what interior there is in leaf c; s(x) is linear. The paper's beta = 1 - x.
 /// Leaves are cubes of the domain's voxels, first all of one size; refine() splits those that the optimum
 /// leaves fractional or between void and solid, and merges those that agree. The regulariser is
-/// gamma x^T L x / 2, L the uniform Laplacian of leaves that share a face; gamma is gamma_l at level 4, and
+/// gamma x^T L x / 2, L the uniform Laplacian of leaves that share a face; gamma is gamma_l at level 3, and
 /// 16 times less a level further. Start: any of Start. Rounds at one half. [SpinIt, s. 5.3]
 ///
 /// Settings: gamma_l (1e-3, >= 0), epsilon (0.01, in (0, 0.5)), start_level (half of the domain's levels).

@@ -63,7 +63,7 @@ struct Box {
       costs.push_back(values[i] > nothing ? -values[i] : 1);
       if (!(values[i] > seen->value)) continue;
       seen->value = values[i];
-      seen->best.assign(&positions[i * size], &positions[(i + 1) * size]);
+      seen->best.assign(positions.data() + i * size, positions.data() + (i + 1) * size);
     }
     return costs;
   }
@@ -101,6 +101,9 @@ BaselineResult search_with_pagmo(Objective& objective, Baseline baseline, int pa
   if (particles < entry.least_particles)
     throw InputError(fmt::format("{} with {} particles; expected at least {}", entry.name, particles,
                                  entry.least_particles));
+  if (objective.space().freedom() == 0)
+    throw InputError(
+        fmt::format("{} with nothing free; expected a number, a direction or a rotation", entry.name));
   if (iterations < 0) throw InputError(fmt::format("iterations = {}; expected none or more", iterations));
   BaselineResult seen{{}, nothing, 0};
   const auto short_seed = static_cast<unsigned>(seed);

@@ -28,7 +28,7 @@ struct BaselineResult {
 /// counts as -1, under every scale. Floors are minus infinity: pagmo has no use for a search given up early.
 ///
 /// @param on_generation  told the best value and the evaluations so far; false ends the search
-/// @throws InputError    fewer particles than the method needs (de 5, cmaes 5, pso 2), or none
+/// @throws InputError    fewer particles than the method needs (de 5, cmaes 5, pso 2), or nothing free
 [[nodiscard]] BaselineResult search_with_pagmo(
     Objective& objective, Baseline baseline, int particles, int iterations, std::uint64_t seed,
     const std::function<bool(double, std::uint64_t)>& on_generation);

@@ -66,7 +66,7 @@ bool Climb::step(ClimbState& state) const {
     steps.col(i) = root * steps.col(i);
     const Eigen::VectorXd step = state.step * steps.col(i);
     positions.insert(positions.end(), state.x.begin(), state.x.end());
-    const std::span<double> x(&positions[static_cast<std::size_t>(i) * size], size);
+    const std::span<double> x(positions.data() + static_cast<std::size_t>(i) * size, size);
     space.move({step.data(), static_cast<std::size_t>(n)}, x);
     objective_.project(x);
   }

@@ -12,9 +12,10 @@ constexpr std::size_t tile_bytes = 3 * 16 * sizeof(float);
 // Each item keeps its band of three envelopes here; what does not fit at once runs in turn.
 constexpr std::size_t scratch_bytes = std::size_t{256} << 20;
 
-/// Few bands on a CPU, for each item goes through all triangles; a row of tiles each on a GPU.
+/// As few bands as keep a CPU's threads busy, for each item goes through all triangles; a row of tiles each
+/// on a GPU.
 int bands_for(const device::Device& device, int tiles) {
-  const int wanted = device.lanes() == 1 ? tiles : std::max(2, int(device.info().compute_units));
+  const int wanted = device.lanes() == 1 ? tiles : std::max(1, int(device.info().compute_units) / 2);
   const auto row_bytes = std::size_t(tiles) * tile_bytes;
   const int most_rows = int(std::max<std::size_t>(scratch_bytes / 4 / row_bytes, 1));
   return std::clamp((tiles + most_rows - 1) / most_rows, std::min(wanted, tiles), tiles);
@@ -46,7 +47,7 @@ Verdict Envelope::draw() {
   kernel_.setArg(6, map_);
   for (raster_.first_item = 0; raster_.first_item < 2 * raster_.bands; raster_.first_item += in_flight_) {
     kernel_.setArg(0, sizeof raster_, &raster_);
-    device.run(kernel_, std::size_t(in_flight_), 1);
+    device.run(kernel_, NEST_SPREAD * std::size_t(in_flight_), 1);
   }
   device::checked("reading the bad pixels", [&] {
     device.queue().enqueueReadBuffer(bad_, CL_TRUE, 0, bad.size() * sizeof(cl_int4), bad.data());

@@ -147,7 +147,7 @@ void Swarm::place(SwarmState& state, int swarm) const {
   const int epoch = state.iteration - state.placed[s];  // one lattice for all candidates of a start
   for (int i = first_of(swarm); i < first_of(swarm + 1); ++i) {
     const auto p = static_cast<std::size_t>(i);
-    const std::span<double> x(&state.x[p * size], size), v(&state.v[p * size], size);
+    const std::span<double> x(state.x.data() + p * size, size), v(state.v.data() + p * size, size);
     const int point = i + state.placed[s] * options_.particles;
     double step = 1;
     for (int k = 0; k < freedom_; ++k) {
@@ -248,9 +248,9 @@ SwarmStep Swarm::step(SwarmState& state) const {
     }
     for (int i = first_of(swarm); i < first_of(swarm + 1); ++i) {
       const auto p = static_cast<std::size_t>(i), g = static_cast<std::size_t>(drawn_to[p]);
-      const std::span<double> x(&state.x[p * size], size), v(&state.v[p * size], size);
-      objective_.space().towards(x, std::span<const double>(&state.own[p * size], size), to_own);
-      objective_.space().towards(x, std::span<const double>(&state.own[g * size], size), to_other);
+      const std::span<double> x(state.x.data() + p * size, size), v(state.v.data() + p * size, size);
+      objective_.space().towards(x, std::span<const double>(state.own.data() + p * size, size), to_own);
+      objective_.space().towards(x, std::span<const double>(state.own.data() + g * size, size), to_other);
       for (std::size_t k = 0; k < size; ++k) {
         const int number_of = static_cast<int>(k);
         v[k] = pull.keep * v[k] + pull.own * number(own_pull, state.iteration, i, number_of) * to_own[k] +

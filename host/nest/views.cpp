@@ -15,23 +15,49 @@ namespace {
 
 constexpr int finest = 16384;
 
-/// x y z 1 of all vertices, A's first.
-std::vector<float> vertices_of(const Nesting& nesting) {
-  std::vector<float> out;
-  out.reserve(4 * (nesting.outer().vertices.size() + nesting.inner().vertices.size()));
-  for (const TriangleMesh* mesh : {&nesting.outer(), &nesting.inner()})
-    for (const Vec3& v : mesh->vertices) out.insert(out.end(), {float(v[0]), float(v[1]), float(v[2]), 1.0f});
+/// A mesh in an order in which neighbours lie together, as the caches like it: vertices by the interleaved
+/// bits of their places, triangles by the first of their vertices. Padded to whole groups of 16 vertices.
+TriangleMesh sorted(const TriangleMesh& mesh) {
+  const Box box = bounding_box(mesh);
+  const double size = std::max(box.extent().maxCoeff(), 1e-300);
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+  for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
+    const Vec3 place = (mesh.vertices[i] - box.lo) / size * 1023;
+    std::uint64_t code = 0;
+    for (int bit = 9; bit >= 0; --bit)
+      for (int axis = 0; axis < 3; ++axis) code = 2 * code + (std::uint64_t(place[axis]) >> bit & 1);
+    order.emplace_back(code, i);
+  }
+  std::sort(order.begin(), order.end());
+  TriangleMesh out;
+  std::vector<std::uint32_t> place(order.size());
+  for (const auto& [code, i] : order) {
+    place[i] = std::uint32_t(out.vertices.size());
+    out.vertices.push_back(mesh.vertices[i]);
+  }
+  while (out.vertices.size() % 16) out.vertices.push_back(out.vertices.back());
+  for (const Triangle& t : mesh.triangles) out.triangles.push_back({place[t[0]], place[t[1]], place[t[2]]});
+  std::sort(out.triangles.begin(), out.triangles.end(), [](const Triangle& t, const Triangle& u) {
+    const std::uint32_t a = std::min({t[0], t[1], t[2]}), b = std::min({u[0], u[1], u[2]});
+    return a != b ? a < b : t < u;
+  });
   return out;
 }
 
-std::vector<std::uint32_t> corners_of(const Nesting& nesting) {
+/// All x, all y, all z.
+std::vector<float> coordinates_of(const TriangleMesh& outer, const TriangleMesh& inner) {
+  std::vector<float> out;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const TriangleMesh* mesh : {&outer, &inner})
+      for (const Vec3& v : mesh->vertices) out.push_back(float(v[axis]));
+  return out;
+}
+
+std::vector<std::uint32_t> corners_of(const TriangleMesh& outer, const TriangleMesh& inner) {
   std::vector<std::uint32_t> out;
-  std::uint32_t first = 0;
-  for (const TriangleMesh* mesh : {&nesting.outer(), &nesting.inner()}) {
-    for (const Triangle& t : mesh->triangles)
-      for (const std::uint32_t v : t) out.push_back(first + v);
-    first += std::uint32_t(mesh->vertices.size());
-  }
+  for (const Triangle& t : outer.triangles) out.insert(out.end(), t.begin(), t.end());
+  for (const Triangle& t : inner.triangles)
+    for (const std::uint32_t v : t) out.push_back(std::uint32_t(outer.vertices.size()) + v);
   return out;
 }
 
@@ -91,13 +117,15 @@ Views::Views(device::Device& device, const Nesting& nesting, int resolution)
     throw InputError(fmt::format("resolution {}; expected 1 to {} pixels", resolution, finest));
   raster_.width = resolution;
   raster_.tiles = (resolution + 3) / 4;
-  raster_.inner = int(nesting.outer().vertices.size());
-  raster_.vertices = raster_.inner + int(nesting.inner().vertices.size());
+  const TriangleMesh outer = sorted(nesting.outer());
+  inner_ = sorted(nesting.inner());
+  raster_.inner = int(outer.vertices.size());
+  raster_.vertices = raster_.inner + int(inner_.vertices.size());
   raster_.first_b = int(nesting.outer().triangles.size());
   raster_.triangles = raster_.first_b + int(nesting.inner().triangles.size());
   device::checked("loading the meshes of a nesting", [&] {
-    vertex_ = constant(device, vertices_of(nesting));
-    corner_ = constant(device, corners_of(nesting));
+    vertex_ = constant(device, coordinates_of(outer, inner_));
+    corner_ = constant(device, corners_of(outer, inner_));
     view_ = cl::Buffer(device.context(), CL_MEM_READ_ONLY, 2 * sizeof(NestView));
     point_ =
         cl::Buffer(device.context(), CL_MEM_READ_WRITE, std::size_t(2 * raster_.vertices) * sizeof(cl_int4));
@@ -129,14 +157,18 @@ Verdict Views::project(const Placement& placement) {
     const cl::CommandQueue& queue = device_->queue();
     queue.enqueueWriteBuffer(view_, CL_FALSE, 0, sizeof arguments, arguments.data());
     queue.enqueueWriteBuffer(outside_, CL_FALSE, 0, sizeof inside, &inside);
-    device_->run(project_, std::size_t(2 * raster_.vertices), 64);
+    device_->run(project_, std::size_t(raster_.vertices) / 16, 8);
     queue.enqueueReadBuffer(outside_, CL_TRUE, 0, sizeof outside, &outside);
   });
   if (outside == inside) return {};
+  // The vertex of the group that lies farthest from A's middle.
   const Pose& pose = placement.pose;
-  const Vec3 point =
-      pose.scale * (pose.rotation * nesting_->inner().vertices[std::size_t(outside - raster_.inner)]) +
-      pose.centroid;
+  Vec3 point = pose.centroid;
+  for (std::size_t i = 0; i < 16; ++i) {
+    const Vec3& b = inner_.vertices[16 * std::size_t(outside) - std::size_t(raster_.inner) + i];
+    const Vec3 p = pose.scale * (pose.rotation * b) + pose.centroid;
+    if (i == 0 || p.squaredNorm() > point.squaredNorm()) point = p;
+  }
   return {Fault::outside, placement.cut.beyond(0, point) >= 0 ? 0 : 1, point};
 }
 

@@ -44,6 +44,7 @@ class Views {
   device::Device* device_;
   const Nesting* nesting_;
   NestRaster raster_{};
+  TriangleMesh inner_;  ///< in the device's order
   std::vector<View> views_;
   cl::Buffer vertex_, corner_, view_, point_, outside_;
   cl::Kernel project_;

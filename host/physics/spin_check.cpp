@@ -76,8 +76,8 @@ std::string describe(const std::vector<SpeedRange>& rpm) {
   if (!rpm.empty() && rpm[0].low == 0 && std::isinf(rpm[0].high)) return "at any speed";
   std::vector<std::string> parts;
   for (const SpeedRange& range : rpm)
-    parts.push_back(std::isinf(range.high) ? fmt::format("above {:.0f}", range.low)
-                                           : fmt::format("{:.0f} to {:.0f}", range.low, range.high));
+    parts.push_back(std::isinf(range.high) ? fmt::format("above {:.1f}", range.low)
+                                           : fmt::format("{:.1f} to {:.1f}", range.low, range.high));
   return parts.empty() ? "at no speed" : fmt::format("{} rpm", fmt::join(parts, ", "));
 }
 

@@ -55,7 +55,7 @@ struct SpinCheck {
 /// stable_speeds() in revolutions per minute.
 [[nodiscard]] std::vector<SpeedRange> stable_rpm(const Moments& s, double length_mm, Contact contact);
 
-/// "480 to 510, above 612 rpm", or "at no speed".
+/// "480.2 to 510.0, above 612.4 rpm", "at any speed", or "at no speed".
 [[nodiscard]] std::string describe(const std::vector<SpeedRange>& rpm);
 
 }  // namespace kreisel

@@ -93,21 +93,23 @@ std::vector<SpeedRange> stable_speeds(const RigidBody& body) {
   const double b1 = (c - a) * (c - b) + a * b, b0 = -(a + b) * p;
   const double d2 = b1 * b1 - 4 * a * b * (c - a) * (c - b);
   const double d1 = 2 * b1 * b0 + 4 * a * b * p * (2 * c - a - b), d0 = (a - b) * (a - b) * p * p;
+  constexpr double one = 1e-9;  // bounds as near as that are one: the moments of a mesh are no better
   std::vector<double> bounds = {0, p / (c - a), p / (c - b), -b0 / b1};
   const double root = std::sqrt(d1 * d1 - 4 * d2 * d0);
   const double far = -(d1 + std::copysign(root, d1)) / 2;  // without cancellation
   bounds.insert(bounds.end(), {far / d2, d0 / far, std::numeric_limits<double>::infinity()});
   std::erase_if(bounds, [](double x) { return !(x >= 0); });  // also what is not a number
+  for (double& x : bounds) x += 0.0;                          // minus zero is zero
   std::ranges::sort(bounds);
 
   std::vector<SpeedRange> ranges;
   const RigidBody ideal{Eigen::Vector3d(a, b, c).asDiagonal(), Vec3(0, 0, p), 0};
   for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
     const double low = bounds[i], high = bounds[i + 1];
-    if (!(high > low * (1 + 1e-12))) continue;  // where two bounds are one
+    if (!(high > low * (1 + one))) continue;
     const double inside = std::isinf(high) ? (low > 0 ? 2 * low : 1) : (low + high) / 2;
     if (seen_from(ideal, Vec3::UnitZ(), std::sqrt(inside)).characteristic().growth() > 0) continue;
-    if (!ranges.empty() && ranges.back().high == std::sqrt(low))
+    if (!ranges.empty() && std::sqrt(low) <= ranges.back().high * (1 + one))
       ranges.back().high = std::sqrt(high);
     else
       ranges.push_back({std::sqrt(low), std::sqrt(high)});

@@ -64,6 +64,16 @@ void read_solve(const Group& group, RecordSummary& summary, const std::string& n
   // Early records of this schema have neither these nor moved_voxels.
   if (group.has("scope")) summary.scope = group.text("scope");
   if (group.has("infeasibility")) summary.infeasibility = group.text("infeasibility");
+  if (group.has("refinements")) {
+    const auto rounds = group.read("refinements");
+    summary.rounds = rounds.shape.rows;
+    constexpr std::size_t along = 4;
+    if (rounds.shape.columns <= along || rounds.shape.rows == 0)
+      throw InputError(fmt::format("{}: refinements of {} x {} numbers, expected 11 columns", name,
+                                   rounds.shape.rows, rounds.shape.columns));
+    summary.along_voids =
+        static_cast<std::size_t>(rounds.values[(rounds.shape.rows - 1) * rounds.shape.columns + along]);
+  }
   summary.repeat = static_cast<int>(group.integer("repeat"));
   summary.budget_seconds = group.real("budget");
   summary.samples = seconds_of(group, "samples", name);
@@ -128,6 +138,8 @@ RecordSummary read_record(const std::filesystem::path& path) {
   if (file.has("bound")) read_certificate(file.group("certificate"), summary);
   summary.iterations = static_cast<int>(file.integer("iterations"));
   summary.variables = static_cast<std::size_t>(file.integer("variables"));
+  if (file.has("whole_seconds")) summary.whole_seconds = file.real("whole_seconds");
+  if (file.has("peak_bytes")) summary.peak_bytes = file.real("peak_bytes");
   read_domain(file.group("domain"), summary, name);
   const Group body = file.group("body");
   summary.length_mm = body.real("length");

@@ -43,6 +43,8 @@ struct RecordSummary {
   int certificate_boxes = 0;         ///< solved on the way
   double certificate_seconds = 0;    ///< apart from the solve
   std::string domain;                ///< columns or exact
+  double whole_seconds = 0, peak_bytes = 0;  ///< 0: of an early record
+  std::size_t along_voids = 0, rounds = 0;   ///< finest cells on the voids' surface, and solves, of an octree
   double rounded_objective = 0, rounded_violation = 0;
   std::size_t mended_voxels = 0, moved_voxels = 0;
   bool has_part = true;  ///< without one, `verified_text` says why, and nothing is rounded or written

@@ -165,6 +165,8 @@ json to_json(const RunResult& r) {
       {"moments_body", list(o.moments)},
       {"seconds", to_json(r.median)},
       {"samples", samples},
+      {"whole_seconds", r.whole_seconds},
+      {"peak_bytes", r.peak_bytes},
       {"domain", r.domain},
       {"rays", r.rays},
       {"inside_voxels", r.inside_voxels},

@@ -226,6 +226,8 @@ void write_record(const std::filesystem::path& path, const RunResult& r) {
     file.set("constraint_violation", r.outcome.violation);
     file.set("iterations", r.outcome.iterations);
     file.set("variables", r.variables);
+    file.set("whole_seconds", r.whole_seconds);
+    file.set("peak_bytes", r.peak_bytes);
     write_config(file.new_group("config"), r.config);
     write_provenance(file.new_group("provenance"), r.provenance);
     write_body(file.new_group("body"), r);

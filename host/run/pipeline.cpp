@@ -14,6 +14,7 @@
 #include "error.hpp"
 #include "fabricate/verify.hpp"
 #include "formulation/meet_constraints.hpp"
+#include "memory.hpp"
 #include "run/remedies.hpp"
 #include "run/run_domain.hpp"
 #include "solve/explain.hpp"
@@ -184,6 +185,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   const auto tell = [&](const std::string& step) {
     if (progress) progress(step);
   };
+  const Stopwatch whole;
   // What needs no work is checked first, so that a typing error costs no time.
   const ProblemEntry& asked = find_problem(config.problem);
   const FormulationEntry& way = find_formulation(config.formulation);
@@ -264,10 +266,13 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
     stop_if_interrupted();
   }
 
+  const Stopwatch certificate;
+  double certifying = 0;
   if (config.certify > 0) {
     tell("certify");
     add_certificate(r, {*problem, *formulation, mass, device}, domain.rays(), solver, options);
     stop_if_interrupted();
+    certifying = certificate.seconds();
   }
 
   output.outer = body.mesh;
@@ -282,6 +287,8 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   r.voids = voids_of(output, body);
   r.verified = write_and_verify(r, parts_of(body, inside), body, *problem, mesh_file);
   r.verified.void_triangles = inside.voids.triangles.size();
+  r.whole_seconds = whole.seconds() - certifying;
+  r.peak_bytes = peak_memory();
   return output;
 }
 

@@ -79,6 +79,8 @@ struct RunResult {
   RoundingCost rounding;                   ///< like `voids` and `verified` empty where config.part is none
   Voids voids;                             ///< of the written part: model coordinates, mm
   Verified verified;
+  double whole_seconds = 0;  ///< from the model to the verified file; without the certificate
+  double peak_bytes = 0;     ///< of memory in use, of the whole process so far
 
   /// How far the objective may be above the least there is, as a share of it; infinite where nothing was
   /// proved, where the result misses its constraints by more than 1e-6, or where no interior meets the

@@ -63,13 +63,14 @@ void to_central_path(std::span<double> x, std::span<const double> slope, const S
   const Rows rows(x.size(), form);
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double width = bounds.upper[i] - bounds.lower[i];
-    x[i] = std::clamp(x[i], bounds.lower[i] + 1e-3 * width, bounds.upper[i] - 1e-3 * width);
+    if (width > 0) x[i] = std::clamp(x[i], bounds.lower[i] + 1e-3 * width, bounds.upper[i] - 1e-3 * width);
   }
   constexpr int most_sweeps = 100;
   constexpr double still = 1e-3;  // of a variable's range
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double largest = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
+      if (bounds.lower[i] == bounds.upper[i]) continue;
       double a = slope[i];
       for (std::size_t e = rows.first[i]; e < rows.first[i + 1]; ++e) a += rows.value[e] * x[rows.column[e]];
       const double next = minimiser(a, rows.diagonal[i], barrier, bounds.lower[i], bounds.upper[i], x[i]);

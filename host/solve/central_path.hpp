@@ -15,6 +15,7 @@ namespace kreisel {
 ///
 /// @param x        any; where the sweeps start
 /// @param form     R; may be nullptr
+/// @param bounds   variables without a range between them stay where they are
 /// @param barrier  > 0
 void to_central_path(std::span<double> x, std::span<const double> slope, const SparseForm* form,
                      const Bounds& bounds, double barrier);

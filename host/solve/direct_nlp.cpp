@@ -121,9 +121,10 @@ class DirectNlp final : public Nlp {
   }
 
  private:
-  [[nodiscard]] Moments lagrange_weight(std::span<const double> multipliers) const override {
+  [[nodiscard]] Moments lagrange_weight(std::span<const double> x,
+                                        std::span<const double> multipliers) const override {
     Moments weight = Moments::Zero();
-    if (!margin()) weight = task_.problem.gradient(task_.mass.total(task_.formulation.moments(start_)));
+    if (!margin()) weight = task_.problem.gradient(task_.mass.total(task_.formulation.moments(x)));
     for (std::size_t r = 0; r < rows_.size(); ++r) weight += multipliers[r] * form(rows_[r]).transpose();
     return task_.mass.contrast * weight;
   }

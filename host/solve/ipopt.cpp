@@ -199,6 +199,8 @@ Outcome solve(const Task& task, const SolverOptions& options) {
   const bool lifted = settings.at("hessian_approximation") == "exact";
   const bool linear = task.formulation.moments_are_linear();
   const Defaults defaults = defaults_for(linear, lifted);
+  // A regulariser ties neighbours: no longer an arrow alone, but one whose dense rows are to come last.
+  if (task.formulation.regulariser()) settings.insert({"mumps_pivot_order", "6"});
   settings.insert(defaults.settings.begin(), defaults.settings.end());
   // MUMPS asks for eleven times what it expects to need. That costs nothing but address space.
   if (available_memory().limited) settings.insert({"mumps_mem_percent", "50"});

@@ -169,7 +169,8 @@ class LiftedNlp final : public Nlp {
     const auto a = last(x + n_ + ten);
     return factor * own_form()->hessian(lifted(x), a) + own_form()->curvature(lifted(x), a, equations);
   }
-  [[nodiscard]] Moments lagrange_weight(std::span<const double> multipliers) const override {
+  [[nodiscard]] Moments lagrange_weight(std::span<const double>,
+                                        std::span<const double> multipliers) const override {
     return task_.mass.contrast * Eigen::Map<const Moments>(multipliers.data());
   }
   [[nodiscard]] Moments lifted(const Number* x) const { return Eigen::Map<const Moments>(x + n_); }

@@ -67,14 +67,18 @@ bool Nlp::intermediate_callback(Ipopt::AlgorithmMode, Index iteration, Number ob
   return !interrupted();
 }
 
+std::vector<double> Nlp::slopes(std::span<const double> x) const {
+  std::vector<double> slope(n_);
+  const Moments weight = lagrange_weight(x, warm_.multipliers);
+  task_.formulation.pull_back(x, {&weight, 1}, slope);
+  return slope;
+}
+
 void Nlp::go_on(const WarmStart& warm, double barrier) {
   warm_ = warm;
-  std::vector<double> slope(n_);
-  const Moments weight = lagrange_weight(warm.multipliers);
-  task_.formulation.pull_back(start_, {&weight, 1}, slope);
   const Bounds& bounds = task_.formulation.bounds();
-  to_central_path(start_, slope, regulariser().empty() ? nullptr : task_.formulation.regulariser(), bounds,
-                  barrier);
+  to_central_path(start_, slopes(start_), regulariser().empty() ? nullptr : task_.formulation.regulariser(),
+                  bounds, barrier);
   for (std::size_t i = 0; i < n_; ++i) {
     z_lower_.push_back(barrier / (start_[i] - bounds.lower[i]));
     z_upper_.push_back(barrier / (bounds.upper[i] - start_[i]));

@@ -22,7 +22,7 @@ class Nlp : public Ipopt::TNLP {
 
   Nlp(const Task& task, std::vector<double> start);
 
-  /// Starts from the multipliers of a solve before, which are those of the same rows.
+  /// Starts from the multipliers of a solve before, which are those of the same rows: on their central path.
   /// @param barrier  parameter of the first iterate, of the objective as it is
   void go_on(const WarmStart& warm, double barrier);
 
@@ -73,7 +73,10 @@ class Nlp : public Ipopt::TNLP {
   /// The smallest t that the start allows.
   [[nodiscard]] double margin_at(const Moments& s) const;
   /// The weights of the moments in the gradient of the Lagrangian by x.
-  [[nodiscard]] virtual Moments lagrange_weight(std::span<const double> multipliers) const = 0;
+  [[nodiscard]] virtual Moments lagrange_weight(std::span<const double> x,
+                                                std::span<const double> multipliers) const = 0;
+  /// The moments' part of that gradient.
+  [[nodiscard]] std::vector<double> slopes(std::span<const double> x) const;
   /// Where a solve starts: x, and when it goes on from another, all multipliers.
   void start_variables(Number* x, bool with_z, Number* z_L, Number* z_U, bool with_lambda,
                        Number* lambda) const;

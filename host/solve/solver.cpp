@@ -110,20 +110,15 @@ const SolverEntry& default_solver(std::string_view formulation) {
   throw unknown_name("formulation", formulation, names_of(formulations()));
 }
 
+void Outcome::add_before(const Outcome& before) {
+  iterations += before.iterations;
+  kernel_seconds += before.kernel_seconds;
+  solve_seconds += before.solve_seconds;
+  evaluations += before.evaluations;
+  history.insert(history.begin(), before.history.begin(), before.history.end());
+}
+
 namespace {
-
-bool converged(const Outcome& outcome) {
-  return outcome.termination == Termination::optimal || outcome.termination == Termination::acceptable;
-}
-
-/// What came before counts, too.
-void add_before(Outcome& outcome, const Outcome& before) {
-  outcome.iterations += before.iterations;
-  outcome.kernel_seconds += before.kernel_seconds;
-  outcome.solve_seconds += before.solve_seconds;
-  outcome.evaluations += before.evaluations;
-  outcome.history.insert(outcome.history.begin(), before.history.begin(), before.history.end());
-}
 
 Outcome solve_sequence(const SolverEntry& solver, const Task& task, const SolverOptions& options) {
   Outcome outcome = solver.solve(task, options);
@@ -133,11 +128,11 @@ Outcome solve_sequence(const SolverEntry& solver, const Task& task, const Solver
   // going round in circles.
   constexpr int most_steps = 50;
   std::unique_ptr<Problem> problem = task.problem.next(outcome.moments);
-  while (problem && outcome.steps < most_steps && converged(outcome)) {
+  while (problem && outcome.steps < most_steps && outcome.converged()) {
     onward.from = outcome.x;
     Outcome step = solver.solve({*problem, task.formulation, task.mass, task.device}, onward);
     step.steps = outcome.steps + 1;
-    add_before(step, outcome);
+    step.add_before(outcome);
     outcome = std::move(step);
     problem = problem->next(outcome.moments);
   }
@@ -151,7 +146,7 @@ Outcome solve_sequence(const SolverEntry& solver, const Task& task, const Solver
   }
   // A margin can always be found; whether it is enough is another question. Solvers meet 1e-9.
   constexpr double met = 1e-6;
-  if (task.problem.goal() == Goal::margin && outcome.violation > met && converged(outcome)) {
+  if (task.problem.goal() == Goal::margin && outcome.violation > met && outcome.converged()) {
     outcome.termination = Termination::infeasible;
     outcome.message = fmt::format("the constraints are missed by {:.2e} at the least", outcome.violation);
   }
@@ -174,21 +169,32 @@ Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& 
   SolverOptions onward = options;
   Refinement round = describe(task, all);
   // A level a round, and some more where the void's surface moves on to cells that were left coarse.
-  constexpr std::size_t most_rounds = 40;
+  constexpr std::size_t most_rounds = 16;
   while (task.formulation.refines()) {
     const auto begin = std::chrono::steady_clock::now();
     onward.from = all.x;
     onward.warm = all.warm;
     const bool refined =
-        converged(all) && all.refinements.size() + 1 < most_rounds && task.formulation.refine(onward.from);
-    round.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        all.converged() && all.refinements.size() + 1 < most_rounds && task.formulation.refine(onward.from);
+    if (!refined) {
+      all.x = onward.from;
+      round.variables = all.x.size();
+      round.cells = task.formulation.count_cells(all.x);
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    round.seconds += seconds;
+    all.solve_seconds += seconds;
     all.refinements.push_back(round);
     if (options.on_refinement) options.on_refinement(round);
     if (!refined) break;
     Outcome next = solve_sequence(solver, task, onward);
+    if (next.termination == Termination::failed && !onward.warm.multipliers.empty()) {
+      onward.warm = {};
+      next = solve_sequence(solver, task, onward);
+    }
     round = describe(task, next);
     next.refinements = std::move(all.refinements);
-    add_before(next, all);
+    next.add_before(all);
     all = std::move(next);
   }
   return all;

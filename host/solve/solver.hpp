@@ -67,6 +67,12 @@ struct Outcome {
   std::map<std::string, std::string> settings;  ///< the solver's own options as they were in force
   WarmStart warm;                               ///< where the solver can go on from one
   std::vector<Refinement> refinements;          ///< every round; of a formulation that refines
+
+  [[nodiscard]] bool converged() const {
+    return termination == Termination::optimal || termination == Termination::acceptable;
+  }
+  /// Counts what was done before.
+  void add_before(const Outcome& before);
 };
 
 /// What is to be solved; all parts outlive the solve.

@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"--set solver.start=nowhere", "expected lower, middle or upper"},
         Mistake{"--set problem.lambda=-1", "expected lambda >= 0"},
         Mistake{"--formulation nosuch", "expected one of"},
-        Mistake{"--problem nosuch", "expected one of: spin, stand, float, balance"},
+        Mistake{"--problem nosuch", "expected one of: spin, top, yoyo, stand, float, balance"},
         Mistake{"--problem float --set problem.draft=abc",
                 "problem.draft = abc; expected a share of the height"},
         Mistake{"--problem float --density 3 --set problem.draft=solid", "sinks"},

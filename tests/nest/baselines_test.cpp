@@ -36,6 +36,9 @@ TEST(Baselines, RefuseTooFewParticlesAndUnknownNames) {
   Target target({{Block::number, -1, 1}}, {0.3});
   expect_refusal([&] { (void)search_with_pagmo(target, Baseline::de, 3, 10, 1, {}); },
                  "pagmo-de with 3 particles", {"at least 5"});
+  Target nothing({}, {});
+  expect_refusal([&] { (void)search_with_pagmo(nothing, Baseline::pso, 9, 10, 1, {}); },
+                 "pagmo-pso with nothing free", {});
   expect_refusal([] { (void)parse_baseline("pagmo-cma"); },
                  "variant 'pagmo-cma' is unknown (did you mean 'pagmo-cmaes'?)", {});
 }

@@ -35,7 +35,8 @@ TEST(CheckSpin, SpeaksOfRevolutionsPerMinuteAndSeconds) {
   EXPECT_FALSE(check.scan[1].stable() || check.scan[1].stays());
   EXPECT_TRUE(check.scan[2].stable() && check.scan[2].stays());
   EXPECT_NEAR(check.scan[2].largest_tilt, check.at_speed.largest_tilt, 1e-3) << "of other steps";
-  EXPECT_EQ(describe(gliding), "above " + std::to_string(std::lround(rpm)) + " rpm");
+  EXPECT_EQ(describe({{480.2, 510.04}, {612.44, INFINITY}}), "480.2 to 510.0, above 612.4 rpm");
+  EXPECT_FALSE(std::signbit(check.stable_rpm[2][0].low));
   EXPECT_EQ(describe(check.stable_rpm[2]), "at any speed") << "free, about the largest axis";
   EXPECT_EQ(describe({}), "at no speed");
 }

@@ -17,6 +17,7 @@ ATTRIBUTES = {
         "schema": TEXT, "schema_version": WHOLE, "moments_order": TEXT, "model": TEXT, "problem": TEXT,
         "formulation": TEXT, "solver": TEXT, "termination": TEXT, "objective": REAL,
         "constraint_violation": REAL, "iterations": WHOLE, "variables": WHOLE,
+        "whole_seconds": REAL, "peak_bytes": REAL,
     },
     "/provenance": {
         "version": TEXT, "commit": TEXT, "compiler": TEXT, "build_type": TEXT, "host": TEXT,
@@ -88,6 +89,13 @@ DATASETS = {
     "/voids/cuts": ("f8", (None, 5), ["nx", "ny", "nz", "offset", "opens"]),
 }
 
+# Of an octree alone.
+OCTREE_DATASETS = {
+    "/solve/cells": ("i4", (None, 4), ["ix", "iy", "iz", "edge"]),
+    "/solve/refinements": ("f8", (None, 11), ["variables", "fractional", "to_split", "finest", "along_voids", "weight",
+                                              "objective", "regulariser", "violation", "iterations", "seconds"]),
+}
+
 CERTIFIED_DATASETS = {
     "/certificate/q": ("f8", (1, 10), MOMENTS),
     "/certificate/rows": ("f8", (None, 10), MOMENTS),
@@ -115,6 +123,8 @@ def check(file):
     attributes, datasets = ATTRIBUTES, dict(DATASETS)
     if file["domain"].attrs.get("kind") == "exact":
         datasets["/domain/intervals"] = ("f8", (None, 4), ["ix", "iy", "z0", "z1"])
+    if "refinements" in file["solve"]:
+        datasets |= OCTREE_DATASETS
     if "certificate" in file:
         attributes = {g: ATTRIBUTES.get(g, {}) | CERTIFIED.get(g, {}) for g in ATTRIBUTES | CERTIFIED}
         datasets |= CERTIFIED_DATASETS
@@ -125,8 +135,8 @@ def check(file):
         for name, kind in wanted.items():
             value = file[group].attrs.get(name)
             expect(isinstance(value, kind), group, name, "is", repr(value), "expected", kind.__name__)
-        # The solver's own options come as they are; every other attribute is of the schema.
-        present = {name for name in file[group].attrs if not name.startswith("setting_")}
+        # Options of the solver and the formulation come as they are; every other attribute is of the schema.
+        present = {name for name in file[group].attrs if not name.startswith(("setting_", "formulation_"))}
         expect(present == set(wanted), group, "has other attributes:",
                *present ^ set(wanted))
     for name, (kind, shape, columns) in datasets.items():

@@ -61,6 +61,8 @@ struct NestOptions {
   std::optional<double> upper;  ///< of the search; none: what can fit
   double tolerance = 1e-4;
   int resolution = 512;
+  int accuracy = 0;        ///< > 0: compare the variants over as many random placements instead
+  std::uint64_t seed = 1;  ///< of those
   // As they were typed; empty: no rotation, the outer shape's centroid, normal z, through the centroid, along
   // the normal.
   std::string rotation, centroid, plane, through;
@@ -69,6 +71,9 @@ struct NestOptions {
 };
 /// Whether one shape nests in another, or up to which scale.
 int nest_shapes(const NestOptions& options);
+/// How far sampled scales are from exact ones, over `options.accuracy` random placements and four
+/// resolutions.
+int nest_accuracy(const NestOptions& options);
 
 struct ReportOptions {
   std::vector<std::string> experiments;  ///< as ExperimentOptions::name; empty: all that have records

@@ -162,6 +162,9 @@ void add_nest_options(CLI::App& app, NestOptions& nest) {
       ->capture_default_str();
   app.add_option("--upper", nest.upper, "largest scale to look at; default what can fit");
   app.add_option("--tolerance", nest.tolerance, "of the scale that is searched")->capture_default_str();
+  app.add_option("--accuracy", nest.accuracy, "compare the variants over this many random placements instead")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", nest.seed, "of the random placements")->capture_default_str();
   app.add_option("--device", nest.device, "as above");
   app.add_option("--json", nest.json_file, "write the answer as JSON; - for standard output");
 }
@@ -266,7 +269,7 @@ int dispatch(int argc, char** argv) {
     parsed.simulate.config = parsed.once.config;
     return simulate_part(parsed.simulate);
   }
-  if (*nested) return nest_shapes(parsed.nest);
+  if (*nested) return parsed.nest.accuracy ? nest_accuracy(parsed.nest) : nest_shapes(parsed.nest);
   if (*reported) return report(parsed.report);
   if (*shown) return show(parsed.paths);
   if (*listed) return list();

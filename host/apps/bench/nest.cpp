@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/bench/commands.hpp"
+#include "apps/bench/nest_mesh.hpp"
 #include "apps/bench/outputs.hpp"
 #include "apps/bench/step_line.hpp"
-#include "body/source.hpp"
 #include "error.hpp"
 #include "file/write_text.hpp"
 #include "nest/exact.hpp"
@@ -23,12 +23,6 @@ using nlohmann::json;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-TriangleMesh mesh_of(const std::string& model) {
-  BodySpec spec;
-  spec.model = model;
-  return load_source(spec).mesh;
 }
 
 Vec3 vector_of(const std::string& text, const char* option) {
@@ -144,8 +138,8 @@ int nest_shapes(const NestOptions& given) {
   device::Device device(options.device);
   NestRun run;
   run.options = &options;
-  TriangleMesh outer = mesh_of(options.outer);
-  TriangleMesh inner = options.inner == options.outer ? outer : mesh_of(options.inner);
+  TriangleMesh outer = nest_mesh(options.outer);
+  TriangleMesh inner = options.inner == options.outer ? outer : nest_mesh(options.inner);
   const nest::Nesting nesting(std::move(outer), std::move(inner));
   run.placement = placement_of(options, nesting);
   nest::require_valid(run.placement);

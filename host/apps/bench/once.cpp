@@ -103,6 +103,8 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
   fmt::print("  part       {:.4g} g, centre of mass {:.3f},{:.3f},{:.3f} mm in the body frame\n",
              r.rounding.moments[S1] * r.mass_unit_grams, c[0], c[1], c[2]);
   if (!r.voids.pieces.empty()) fmt::print("  voids      {}\n", r.voids.text());
+  fmt::print("  whole      {:.1f} s from the model to the verified part, {:.2g} GiB\n", r.whole_seconds,
+             r.peak_bytes / (1 << 30));
   fmt::print("  verified   {}\n", r.verified.verdict.text);
   print_files(r.verified);
 }
