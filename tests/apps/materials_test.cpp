@@ -14,16 +14,16 @@
 namespace kreisel {
 namespace {
 
-/// A box of 60 x 40 x 30 mm that is to balance 6 mm beside its middle. With walls of 3.75 mm a little over
-/// half of it can be hollowed: that moves the centre of mass by less than 5 mm, by hand.
+/// A box of 30 x 40 x 60 mm that is to balance 6.5 mm above its middle. With walls of 3.75 mm hollowing
+/// raises the centre of mass by less than 5.5 mm, by hand.
 class TwoMaterials : public testing::Test {
  protected:
-  TwoMaterials() { write_mesh(folder_.path / "box.off", {box_mesh({0, 0, 0}, {60, 40, 30})}); }
+  TwoMaterials() { write_mesh(folder_.path / "box.off", {box_mesh({0, 0, 0}, {30, 40, 60})}); }
 
   [[nodiscard]] BenchAnswer balance(const std::string& more) const {
     return bench(
-        fmt::format("--model '{0}/box.off' --problem balance --point 36,20,15 --density 1.17 "
-                    "--resolution 24 --json '{0}/run.json' {1}",
+        fmt::format("--model '{0}/box.off' --problem balance --point 15,20,36.5 --density 1.17 "
+                    "--resolution 40 --wall 3.75 --json '{0}/run.json' {1}",
                     folder_.path.string(), more));
   }
   [[nodiscard]] nlohmann::json json() const {
@@ -44,7 +44,7 @@ TEST_F(TwoMaterials, MeetWhatHollowingCannotAndTheAnswerSaysHow) {
 
   // A heavy interior with voids in it; then heavy parts in place of voids.
   for (const char* const densities : {"--interior-density 8.1", "--void-density 8.1"})
-    for (const char* const formulation : {"quadric", "rayrep", "voxel"}) {
+    for (const char* const formulation : {"quadric", "rayrep"}) {
       const BenchAnswer a =
           balance(fmt::format("{} --formulation {} --mesh '{}'", densities, formulation, at("part.stl")));
       EXPECT_EQ(a.code, 0) << a.out;
@@ -57,7 +57,6 @@ TEST_F(TwoMaterials, MeetWhatHollowingCannotAndTheAnswerSaysHow) {
         grams += material.at("mass_g").get<double>();
       EXPECT_EQ(verified.at("materials").size(), 2u);
       EXPECT_NEAR(grams, j.at("moments").at(0).get<double>(), 1e-4 * grams);
-      if (std::string(formulation) == "voxel") EXPECT_NE(a.out.find("part-"), std::string::npos) << a.out;
     }
   EXPECT_TRUE(has("part.stl") && has("part-interior.stl") && has("part-filling.stl"));
 }

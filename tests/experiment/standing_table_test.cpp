@@ -31,7 +31,7 @@ TEST(StandingTable, GivesHeightAndTiltBesideThePapers) {
   EXPECT_EQ(tables.blocks[0].heading, "dino 40x26x26");
   const std::string text = tables.blocks[0].sheet.text();
   EXPECT_EQ(squeezed_line(text, "plane sweep"),
-            "plane sweep voxel plane-sweep centre optimal 0.50 | 51.2 0.250 | 3.50 | 20.00 yes")
+            "plane sweep voxel plane-sweep centre optimal 0.500 | 51.2 0.250 | 3.50 | 20.00 yes")
       << text;
   EXPECT_EQ(squeezed_line(text, "optimum"), "optimum voxel ipopt centre not run - | - - | - | - -") << text;
   EXPECT_EQ(squeezed_line(text, "paper"), "paper - plane-sweep centre - - | 56 - | 1 | - -") << text;
