@@ -130,6 +130,8 @@ def draw_materials(axes, slab, files):
     for name, material in files.items():
         lines = outline(slab.run, material["path"], slab.y)
         low, high = lines[:, :, 0].min(axis=1), lines[:, :, 0].max(axis=1)
+        leaning = low < high  # those upright in the plane cross no vertical line
+        lines, low, high = lines[leaning], low[leaning], high[leaning]
         slope = np.diff(lines[:, :, 1], axis=1)[:, 0] / np.diff(lines[:, :, 0], axis=1)[:, 0]
         grid = np.linspace(low.min(), high.max(), 1200)
         for x in (grid[1:] + grid[:-1]) / 2:
