@@ -145,13 +145,20 @@ def draw_materials(axes, slab, files):
     for name, material in files.items():
         lines = outline(slab.run, material["path"], slab.y)
         low, high = lines[:, :, 0].min(axis=1), lines[:, :, 0].max(axis=1)
+        leaning = low < high  # those upright in the plane cross no vertical line
+        lines, low, high = lines[leaning], low[leaning], high[leaning]
         slope = np.diff(lines[:, :, 1], axis=1)[:, 0] / np.diff(lines[:, :, 0], axis=1)[:, 0]
-        grid = np.linspace(low.min(), high.max(), 1200)
+        grid = np.linspace(low.min(), high.max(), 800)
+        pieces = []
         for x in (grid[1:] + grid[:-1]) / 2:
             at = (low <= x) & (x < high)
             z = np.sort(lines[at, 0, 1] + slope[at] * (x - lines[at, 0, 0]))
             if len(z) % 2 == 0:  # else it runs along an edge
-                axes.bar(x, z[1::2] - z[::2], 1.06 * (grid[1] - grid[0]), z[::2], color=MATERIALS[name], linewidth=0)
+                pieces += [(x, *ends) for ends in z.reshape(-1, 2)]
+        x, bottom, top = np.array(pieces).T
+        axes.add_collection(LineCollection(
+            np.stack([np.stack([x, bottom], 1), np.stack([x, top], 1)], 1), colors=MATERIALS[name], capstyle="butt",
+            linewidths=72 * axes.get_position().width * axes.figure.get_figwidth() / 700))
         handles.append(Patch(color=MATERIALS[name], label=f"{name}, {material['density']:g} g/cm³"))
     return handles
 
