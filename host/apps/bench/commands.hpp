@@ -62,14 +62,18 @@ struct NestOptions {
   double tolerance = 1e-4;
   int resolution = 512;
   int accuracy = 0;        ///< > 0: compare the variants over as many random placements instead
-  std::uint64_t seed = 1;  ///< of those
+  std::uint64_t seed = 1;  ///< of those, and of a swarm
+  std::string free;        ///< what a swarm may change (Freedom::set_free); empty: nothing, no swarm
+  std::string swarm = "hybrid+abort";  ///< its variant
+  int particles = 200, iterations = 500;
+  std::string up = "0,0,1";  ///< what an upright inner shape turns about
   // As they were typed; empty: no rotation, the outer shape's centroid, normal z, through the centroid, along
   // the normal.
   std::string rotation, centroid, plane, through;
   std::vector<std::string> removal;
   std::string device, json_file;
 };
-/// Whether one shape nests in another, or up to which scale.
+/// Whether one shape nests in another, or up to which scale; or where it nests largest.
 int nest_shapes(const NestOptions& options);
 /// How far sampled scales are from exact ones, over `options.accuracy` random placements and four
 /// resolutions.

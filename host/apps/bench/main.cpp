@@ -164,7 +164,15 @@ void add_nest_options(CLI::App& app, NestOptions& nest) {
   app.add_option("--tolerance", nest.tolerance, "of the scale that is searched")->capture_default_str();
   app.add_option("--accuracy", nest.accuracy, "compare the variants over this many random placements instead")
       ->check(CLI::PositiveNumber);
-  app.add_option("--seed", nest.seed, "of the random placements")->capture_default_str();
+  app.add_option("--seed", nest.seed, "of the random placements, and of a swarm")->capture_default_str();
+  app.add_option("--free", nest.free,
+                 "look for the largest nesting over: rotation or upright, position, plane or centroid-plane, "
+                 "removal; a list with commas, or all");
+  app.add_option("--swarm", nest.swarm, "basic, hybrid, hybrid+abort, pagmo-pso, pagmo-cmaes or pagmo-de")
+      ->capture_default_str();
+  app.add_option("--particles", nest.particles, "of the swarm")->capture_default_str();
+  app.add_option("--iterations", nest.iterations, "of the swarm")->capture_default_str();
+  app.add_option("--up", nest.up, "what an upright inner shape turns about")->capture_default_str();
   app.add_option("--device", nest.device, "as above");
   app.add_option("--json", nest.json_file, "write the answer as JSON; - for standard output");
 }

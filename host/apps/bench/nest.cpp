@@ -12,9 +12,11 @@
 #include "error.hpp"
 #include "file/write_text.hpp"
 #include "nest/exact.hpp"
+#include "nest/optimise.hpp"
 #include "nest/scale_search.hpp"
 #include "parse.hpp"
 #include "run/build_info.hpp"
+#include "solve/interrupt.hpp"
 
 namespace kreisel::bench {
 namespace {
@@ -72,8 +74,10 @@ struct NestRun {
   nest::Placement placement;
   bool valid = false;
   std::string text;
-  int evaluations = 1;
+  std::uint64_t evaluations = 1;
   std::optional<double> certified;
+  std::vector<nest::SwarmStep> trace;  ///< of a swarm
+  bool stopped = false;                ///< by the user
   double setup = 0, search = 0, certify = 0;
 };
 
@@ -84,7 +88,13 @@ json to_json(const NestRun& run, const nest::Nesting& nesting, const device::Dev
   out["inner"] = run.options->inner;
   out["variant"] = run.options->variant;
   out["resolution"] = run.options->resolution;
-  out["seed"] = nullptr;
+  const bool swarm = !run.options->free.empty();
+  out["seed"] = swarm ? json(run.options->seed) : json();
+  out["free"] = run.options->free;
+  out["swarm"] = swarm ? json(run.options->swarm) : json();
+  if (swarm)
+    for (const nest::SwarmStep& step : run.trace)
+      out["trace"].push_back({step.iteration, step.evaluations, step.best});
   out["evaluations"] = run.evaluations;
   out["valid"] = run.valid;
   out["text"] = run.text;
@@ -105,7 +115,7 @@ json to_json(const NestRun& run, const nest::Nesting& nesting, const device::Dev
                     {"search", run.search},
                     {"certify", run.certify},
                     {"total", run.setup + run.search + run.certify}};
-  out["termination"] = run.valid ? "valid" : "infeasible";
+  out["termination"] = run.stopped ? "interrupted" : run.valid ? "valid" : "infeasible";
   out["triangles"] = nesting.outer().triangles.size() + nesting.inner().triangles.size();
   out["device"] = device.info().name;
   out["commit"] = build_info::commit;
@@ -115,7 +125,10 @@ json to_json(const NestRun& run, const nest::Nesting& nesting, const device::Dev
 void print(const NestRun& run, const nest::Nesting& nesting) {
   const NestOptions& options = *run.options;
   fmt::print("{} in {}: {} by {}\n", options.inner, options.outer,
-             options.scale ? "feasibility" : "scale search", options.variant);
+             !options.free.empty() ? options.swarm + " swarm over " + options.free
+             : options.scale       ? "feasibility"
+                                   : "scale search",
+             options.variant);
   fmt::print("  triangles  {} + {}\n", nesting.outer().triangles.size(), nesting.inner().triangles.size());
   if (options.scale || run.valid) fmt::print("  scale      {:.6g}\n", run.placement.pose.scale);
   fmt::print("  answer     {}\n", run.text);
@@ -126,6 +139,41 @@ void print(const NestRun& run, const nest::Nesting& nesting) {
   fmt::print(
       "  time       {:.3f} ms test or search ({} evaluations), {:.3f} s set-up, {:.3f} s certification\n",
       1e3 * run.search, run.evaluations, run.setup, run.certify);
+}
+
+/// The largest nesting over all that is free.
+void find_largest(NestRun& run, const nest::Nesting& nesting, device::Device& device) {
+  const NestOptions& options = *run.options;
+  nest::OptimiseSpec spec;
+  spec.freedom.set_free(options.free);
+  spec.freedom.given = run.placement;
+  spec.freedom.up = direction_of(options.up, "--up");
+  spec.variant = options.swarm;
+  spec.test = options.variant;
+  spec.resolution = options.resolution;
+  spec.tolerance = options.tolerance;
+  spec.search.swarm.particles = options.particles;
+  spec.search.swarm.iterations = options.iterations;
+  spec.search.swarm.seed = options.seed;
+  const StepLine line;
+  const auto start = std::chrono::steady_clock::now();
+  const nest::OptimiseResult result =
+      nest::optimise(nesting, device, spec, [&](const nest::SearchState& state) {
+        const double share =
+            std::max<double>(1, static_cast<double>(state.trace.size())) / std::max(1, options.iterations);
+        line.show(fmt::format("iteration {} of {}, scale {:.4f}, about {:.0f} s left", state.trace.size(),
+                              options.iterations, state.scale,
+                              std::max(0.0, seconds_since(start) * (1 / share - 1))));
+        return !interrupted();
+      });
+  run.stopped = result.ended_early;
+  run.setup += result.setup_seconds;
+  run.search = result.search_seconds;
+  run.evaluations = result.state.evaluations();
+  run.trace = result.state.trace;
+  run.valid = result.best.has_value();
+  if (run.valid) run.placement = *result.best;
+  run.text = run.valid ? "valid" : "nothing that nests was found";
 }
 
 }  // namespace
@@ -143,7 +191,10 @@ int nest_shapes(const NestOptions& given) {
   const nest::Nesting nesting(std::move(outer), std::move(inner));
   run.placement = placement_of(options, nesting);
   nest::require_valid(run.placement);
-  if (options.scale) {
+  if (!options.free.empty()) {
+    run.setup = seconds_since(start);
+    find_largest(run, nesting, device);
+  } else if (options.scale) {
     const auto test = nest::make_feasibility(options.variant, device, nesting, options.resolution);
     run.setup = seconds_since(start);
     start = std::chrono::steady_clock::now();
@@ -159,14 +210,20 @@ int nest_shapes(const NestOptions& given) {
     limits.tolerance = options.tolerance;
     const nest::FoundScale found = search->search(run.placement, limits);
     run.valid = found.scale > 0;
-    run.evaluations = found.tests;
+    run.evaluations = static_cast<std::uint64_t>(found.tests);
     if (run.valid) run.placement.pose.scale = found.scale;
     run.text = run.valid ? "valid" : fmt::format("invalid at every scale up to {:.6g}", limits.upper);
   }
-  run.search = seconds_since(start);
+  if (options.free.empty()) run.search = seconds_since(start);
   if (run.valid) {
     start = std::chrono::steady_clock::now();
-    if (nest::Exact(nesting).check(run.placement).valid()) run.certified = run.placement.pose.scale;
+    nest::Exact exact(nesting);
+    if (!options.free.empty()) {
+      const nest::CertifiedScale certified = nest::certify_scale(exact, run.placement, options.tolerance);
+      if (certified.scale > 0) run.certified = certified.scale;
+    } else if (exact.check(run.placement).valid()) {
+      run.certified = run.placement.pose.scale;
+    }
     run.certify = seconds_since(start);
   }
   const std::string text = to_json(run, nesting, device).dump(2) + "\n";
@@ -176,7 +233,7 @@ int nest_shapes(const NestOptions& given) {
     if (!options.json_file.empty()) write_text(options.json_file, text);
     print(run, nesting);
   }
-  return run.valid ? done : infeasible;
+  return run.stopped ? was_interrupted : run.valid ? done : infeasible;
 }
 
 }  // namespace kreisel::bench

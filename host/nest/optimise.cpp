@@ -1,0 +1,177 @@
+#include "nest/optimise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "error.hpp"
+#include "mesh/distance.hpp"
+#include "nest/baselines.hpp"
+#include "nest/rays.hpp"
+#include "parallel.hpp"
+#include "unknown_name.hpp"
+
+namespace kreisel::nest {
+namespace {
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+bool is_baseline(std::string_view variant) { return variant.starts_with("pagmo"); }
+
+/// The objective with what it asks.
+struct Asking {
+  std::unique_ptr<Feasibility> feasibility;
+  std::unique_ptr<ScaleSearch> search;
+  std::unique_ptr<PlacementObjective> objective;
+  LargestScale* largest = nullptr;  ///< the objective, where it is one
+};
+
+Asking make_asking(const Nesting& nesting, device::Device& device, const OptimiseSpec& spec) {
+  const bool basic = spec.variant == "basic";
+  PlacementSpace space(spec.freedom, nesting.outer_box(), basic, nesting.largest_scale());
+  if (spec.freedom.position && spec.start_inside) {
+    constexpr int lattice = 4096;
+    space.start_near(deep_points(nesting, lattice));
+  }
+  KeepOuts keep_outs(nesting, spec.keep_outs);
+  Asking asking;
+  if (basic) {
+    asking.feasibility = make_feasibility(spec.test, device, nesting, spec.resolution);
+    asking.objective =
+        std::make_unique<ScaleInPosition>(std::move(space), std::move(keep_outs), *asking.feasibility);
+    return asking;
+  }
+  asking.search = make_search(spec.test, device, nesting, spec.resolution);
+  auto largest =
+      std::make_unique<LargestScale>(std::move(space), std::move(keep_outs), *asking.search,
+                                     nesting.largest_scale(), spec.tolerance, spec.variant == "hybrid+abort");
+  asking.largest = largest.get();
+  asking.objective = std::move(largest);
+  return asking;
+}
+
+void require_same_search(const SearchState& state, const Space& space, const SwarmOptions& options) {
+  const auto numbers = static_cast<std::size_t>(space.size() * options.particles);
+  if (state.swarm.x.size() != numbers)
+    throw InputError(fmt::format("a checkpoint of {} numbers; expected {}: {} particles of {}",
+                                 state.swarm.x.size(), numbers, options.particles, space.size()));
+}
+
+void run_baseline(OptimiseResult& result, Asking& asking, const OptimiseSpec& spec,
+                  const std::function<bool()>& go_on, const OnIteration& on_iteration) {
+  SearchState& state = result.state;
+  const auto on_generation = [&](double best, std::uint64_t evaluations) {
+    state.trace.push_back({static_cast<int>(state.trace.size()), best, best, 0, evaluations});
+    state.scale = std::max(best, 0.0);
+    if ((!on_iteration || on_iteration(state)) && go_on()) return true;
+    result.ended_early = true;
+    return false;
+  };
+  const BaselineResult found =
+      search_with_pagmo(*asking.objective, parse_baseline(spec.variant), spec.search.swarm.particles,
+                        spec.search.swarm.iterations, spec.search.swarm.seed, on_generation);
+  state.best = found.best;
+  state.scale = found.best.empty() ? 0 : found.value;
+  state.phase = SearchState::over;
+}
+
+void run_swarm(OptimiseResult& result, const Asking& asking, const OptimiseSpec& spec,
+               const std::function<bool()>& go_on, const OnIteration& on_iteration,
+               const SearchState* resume) {
+  const PlacementSearch search(*asking.objective, spec.search);
+  if (resume) require_same_search(*resume, asking.objective->space(), spec.search.swarm);
+  result.state = resume ? *resume : search.start();
+  const auto told = [&] { return !on_iteration || on_iteration(result.state); };
+  bool more = told() && go_on();
+  while (more && search.step(result.state)) more = told() && go_on();
+  result.ended_early = result.state.phase != SearchState::over;
+}
+
+}  // namespace
+
+const std::vector<std::string_view>& variants() {
+  static const std::vector<std::string_view> all = {"basic",     "hybrid",      "hybrid+abort",
+                                                    "pagmo-pso", "pagmo-cmaes", "pagmo-de"};
+  return all;
+}
+
+void require_variant(std::string_view name) {
+  if (std::ranges::find(variants(), name) == variants().end())
+    throw unknown_name("variant", name, variants());
+}
+
+OptimiseResult optimise(const Nesting& nesting, device::Device& device, const OptimiseSpec& spec,
+                        const OnIteration& on_iteration, const SearchState* resume) {
+  require_variant(spec.variant);
+  OptimiseResult result;
+  const Stopwatch setup;
+  Asking asking = make_asking(nesting, device, spec);
+  result.setup_seconds = setup.seconds();
+  const Stopwatch search;
+  const auto go_on = [&] { return search.seconds() < spec.seconds; };
+  if (is_baseline(spec.variant)) {
+    if (resume)
+      throw InputError(fmt::format("a checkpoint with {}; expected a variant of our own", spec.variant));
+    run_baseline(result, asking, spec, go_on, on_iteration);
+  } else {
+    run_swarm(result, asking, spec, go_on, on_iteration, resume);
+  }
+  result.search_seconds = search.seconds();
+  if (!result.state.best.empty()) {
+    result.best = asking.objective->placements().placement(result.state.best);
+    result.best->pose.scale = result.state.scale;
+  }
+  if (asking.largest) {
+    result.tests = asking.largest->tests();
+    result.aborted = asking.largest->aborted();
+  } else {
+    result.tests = result.state.evaluations();
+  }
+  return result;
+}
+
+std::vector<Vec3> deep_points(const Nesting& nesting, int count) {
+  const Box& box = nesting.outer_box();
+  const Vec3 extent = box.extent();
+  const double step = std::cbrt(extent.prod() / count);
+  std::vector<Vec3> lattice;
+  for (double x = box.lo[0] + step / 2; x < box.hi[0]; x += step)
+    for (double y = box.lo[1] + step / 2; y < box.hi[1]; y += step)
+      for (double z = box.lo[2] + step / 2; z < box.hi[2]; z += step) lattice.emplace_back(x, y, z);
+  const SurfaceDistance distance(nesting.outer());
+  const Rays rays(nesting.outer());
+  // Two of three rays agree on it: a hole in the mesh deceives one at most.
+  const auto inside = [&](const Vec3& x) {
+    int out = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto hit = rays.first(x, Vec3::Unit(axis), 0, extent.norm());
+      out += hit && hit->out ? 1 : 0;
+    }
+    return out >= 2;
+  };
+  std::vector<double> depth(lattice.size(), 0.0);
+  parallel_for(lattice.size(), [&](std::size_t i) {
+    if (inside(lattice[i])) depth[i] = distance(lattice[i], extent.norm());
+  });
+  std::vector<std::size_t> order(lattice.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::erase_if(order, [&](std::size_t i) { return !(depth[i] > 0); });
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return depth[a] > depth[b]; });
+  std::vector<Vec3> deep;
+  for (const std::size_t i : order) deep.push_back(lattice[i]);
+  return deep;
+}
+
+}  // namespace kreisel::nest
