@@ -245,8 +245,8 @@ TEST(FindSolver, NamesTheSolversAndFormulationsThereAre) {
   };
   EXPECT_EQ(message("snopt", "voxel").find("solver 'snopt' is unknown; expected one of: ipopt"), 0u);
   const std::string text = message("ipopt", "quadric");
-  EXPECT_EQ(text.find("solver 'ipopt' does not work with formulation 'quadric'; it works with: voxel, rayrep"),
-            0u)
+  EXPECT_EQ(
+      text.find("solver 'ipopt' does not work with formulation 'quadric'; it works with: voxel, rayrep"), 0u)
       << text;
 }
 
