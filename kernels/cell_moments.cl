@@ -37,11 +37,12 @@ kernel void cell_moments(CellParams p, global const uint* cube, global const uin
   const int c = get_global_id(0);
   if (c >= p.n) return;
   const uint x0 = cube[c] & 1023u, y0 = cube[c] >> 10 & 1023u, z0 = cube[c] >> 20, e = edge[c];
-  const uint x1 = min(x0 + e, (uint)p.nx), y1 = min(y0 + e, (uint)p.ny);
+  // A cube may lie beyond the grid's end in part, or as a whole.
+  const uint left = min(x0, (uint)p.nx), x1 = min(x0 + e, (uint)p.nx), y1 = min(y0 + e, (uint)p.ny);
   ulong s[10];
   for (int k = 0; k < 10; ++k) s[k] = 0;
   for (uint y = y0; y < y1; ++y) {
-    const uint begin = first[y * p.nx + x0], end = first[y * p.nx + x1];
+    const uint begin = first[y * p.nx + left], end = first[y * p.nx + x1];
     if (begin == end) continue;
     runs n = 0, in = 0, iin = 0, kn = 0, ikn = 0, kkn = 0;
     for (uint r = begin; r < end; r += RUNS) {

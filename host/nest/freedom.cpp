@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -153,7 +154,8 @@ void PlacementSpace::place(std::span<const double> unit, std::span<double> x) co
   space_.place(unit, x);
   if (centroid_ && !centres_.empty()) {
     const double u = unit[centroid_unit_];
-    store(centres_[static_cast<std::size_t>(u * u * static_cast<double>(centres_.size()))], x, *centroid_);
+    const auto n = static_cast<double>(centres_.size());  // u may be 1
+    store(centres_[static_cast<std::size_t>(std::min(u * u * n, n - 1))], x, *centroid_);
   }
   if (removal_) {
     // Half of the way from anywhere to the normal: within some 30 degrees of it as a rule.

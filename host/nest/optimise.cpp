@@ -10,7 +10,6 @@
 
 #include "error.hpp"
 #include "mesh/distance.hpp"
-#include "nest/baselines.hpp"
 #include "nest/rays.hpp"
 #include "parallel.hpp"
 #include "unknown_name.hpp"
@@ -27,8 +26,6 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
-
-bool is_baseline(std::string_view variant) { return variant.starts_with("pagmo"); }
 
 /// The objective with what it asks.
 struct Asking {
@@ -69,24 +66,6 @@ void require_same_search(const SearchState& state, const Space& space, const Swa
                                  state.swarm.x.size(), numbers, options.particles, space.size()));
 }
 
-void run_baseline(OptimiseResult& result, Asking& asking, const OptimiseSpec& spec,
-                  const std::function<bool()>& go_on, const OnIteration& on_iteration) {
-  SearchState& state = result.state;
-  const auto on_generation = [&](double best, std::uint64_t evaluations) {
-    state.trace.push_back({static_cast<int>(state.trace.size()), best, best, 0, evaluations});
-    state.scale = std::max(best, 0.0);
-    if ((!on_iteration || on_iteration(state)) && go_on()) return true;
-    result.ended_early = true;
-    return false;
-  };
-  const BaselineResult found =
-      search_with_pagmo(*asking.objective, parse_baseline(spec.variant), spec.search.swarm.particles,
-                        spec.search.swarm.iterations, spec.search.swarm.seed, on_generation);
-  state.best = found.best;
-  state.scale = found.best.empty() ? 0 : found.value;
-  state.phase = SearchState::over;
-}
-
 void run_swarm(OptimiseResult& result, const Asking& asking, const OptimiseSpec& spec,
                const std::function<bool()>& go_on, const OnIteration& on_iteration,
                const SearchState* resume) {
@@ -102,8 +81,7 @@ void run_swarm(OptimiseResult& result, const Asking& asking, const OptimiseSpec&
 }  // namespace
 
 const std::vector<std::string_view>& variants() {
-  static const std::vector<std::string_view> all = {"basic",     "hybrid",      "hybrid+abort",
-                                                    "pagmo-pso", "pagmo-cmaes", "pagmo-de"};
+  static const std::vector<std::string_view> all = {"basic", "hybrid", "hybrid+abort"};
   return all;
 }
 
@@ -120,14 +98,8 @@ OptimiseResult optimise(const Nesting& nesting, device::Device& device, const Op
   Asking asking = make_asking(nesting, device, spec);
   result.setup_seconds = setup.seconds();
   const Stopwatch search;
-  const auto go_on = [&] { return search.seconds() < spec.seconds; };
-  if (is_baseline(spec.variant)) {
-    if (resume)
-      throw InputError(fmt::format("a checkpoint with {}; expected a variant of our own", spec.variant));
-    run_baseline(result, asking, spec, go_on, on_iteration);
-  } else {
-    run_swarm(result, asking, spec, go_on, on_iteration, resume);
-  }
+  run_swarm(
+      result, asking, spec, [&] { return search.seconds() < spec.seconds; }, on_iteration, resume);
   result.search_seconds = search.seconds();
   if (!result.state.best.empty()) {
     result.best = asking.objective->placements().placement(result.state.best);

@@ -18,8 +18,7 @@ struct OptimiseSpec {
   Freedom freedom;
   std::vector<KeepOut> keep_outs;
   /// `basic`: the scale is one of a particle's numbers, and a test decides; `hybrid`: each particle searches
-  /// its own scale; `hybrid+abort`: and gives up below its best; or one of pagmo2's: `pagmo-pso`,
-  /// `pagmo-cmaes`, `pagmo-de`, over scale searches.
+  /// its own scale; `hybrid+abort`: and gives up below its best.
   std::string variant = "hybrid+abort";
   std::string test = "hybrid";  ///< what decides: a name of make_search(), of make_feasibility() for `basic`
   int resolution = 512;         ///< of its views, where it has any
@@ -35,7 +34,7 @@ void require_variant(std::string_view name);
 
 struct OptimiseResult {
   std::optional<Placement> best;         ///< its scale included; nothing when nothing nests
-  SearchState state;                     ///< to go on from; of pagmo's searches only the trace and the best
+  SearchState state;                     ///< to go on from
   bool ended_early = false;              ///< stopped, or out of time
   std::uint64_t tests = 0, aborted = 0;  ///< feasibility tests, or rounds; searches given up
   double setup_seconds = 0, search_seconds = 0;

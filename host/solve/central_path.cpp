@@ -44,14 +44,17 @@ struct Rows {
 /// Newton's method, kept between what is known to be too low and too high. @param x  between the bounds
 double minimiser(double a, double d, double barrier, double lower, double upper, double x) {
   double low = lower, high = upper;
-  constexpr int steps = 6;  // each sweep goes on from here
+  constexpr int steps = 60;  // bisection alone would halve the range as often
+  constexpr double still = 1e-9;
   for (int step = 0; step < steps; ++step) {
     const double from_low = barrier / (x - lower), from_high = barrier / (upper - x);
     const double value = a + d * x - from_low + from_high;
     (value > 0 ? high : low) = x;
     const double slope = d + from_low / (x - lower) + from_high / (upper - x);
     const double next = x - value / slope;
+    const double before = x;
     x = next > low && next < high ? next : (low + high) / 2;
+    if (std::abs(x - before) < still * (upper - lower)) break;
   }
   return x;
 }

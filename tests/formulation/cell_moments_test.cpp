@@ -53,9 +53,7 @@ TEST_P(CellMomentsOn, OfACubeAreExactlyTheSumOfItsParts) {
     std::vector<Cube> cubes = uniform_cubes(torus().grid, edge), children;
     for (const Cube& cube : cubes)
       for (int part = 0; part < 8; ++part)
-        if (const Cube child = cube.child(part);
-            child.x < torus().grid.n[0] && child.y < torus().grid.n[1] && child.z < torus().grid.n[2])
-          children.push_back(child);
+        children.push_back(cube.child(part));  // some beyond the grid, without a voxel
     const std::vector<CubeSums> whole = kernel_(cubes), parts = kernel_(children);
     std::size_t next = 0;
     for (std::size_t c = 0; c < cubes.size(); ++c) {

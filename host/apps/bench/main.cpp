@@ -168,8 +168,7 @@ void add_nest_options(CLI::App& app, NestOptions& nest) {
   app.add_option("--free", nest.free,
                  "look for the largest nesting over: rotation or upright, position, plane or centroid-plane, "
                  "removal; a list with commas, or all");
-  app.add_option("--swarm", nest.swarm, "basic, hybrid, hybrid+abort, pagmo-pso, pagmo-cmaes or pagmo-de")
-      ->capture_default_str();
+  app.add_option("--swarm", nest.swarm, "basic, hybrid or hybrid+abort")->capture_default_str();
   app.add_option("--particles", nest.particles, "of the swarm")->capture_default_str();
   app.add_option("--iterations", nest.iterations, "of the swarm")->capture_default_str();
   app.add_option("--up", nest.up, "what an upright inner shape turns about")->capture_default_str();

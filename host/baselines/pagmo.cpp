@@ -1,4 +1,4 @@
-#include "nest/baselines.hpp"
+#include "baselines/pagmo.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// baselines.hpp - pagmo2's searches on the same objective, to compare ours with.
+// pagmo.hpp - pagmo2's searches on the same objective, to compare ours with.
 #pragma once
 
 #include <cstdint>

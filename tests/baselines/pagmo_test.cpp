@@ -1,10 +1,10 @@
-#include "nest/baselines.hpp"
+#include "baselines/pagmo.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "known_objectives.hpp"
+#include "nest/known_objectives.hpp"
 #include "refusal.hpp"
 
 namespace kreisel::nest {
