@@ -253,14 +253,21 @@ Outcome solve(const Task& task, const SolverOptions& options, std::vector<std::u
     outcome.dual_infeasibility = dual;
     outcome.complementarity = complementarity;
   }
-  const std::vector<std::uint8_t> released = nlp->released();
-  if (released.empty() || !outcome.converged()) return outcome;
+  if (outcome.termination == Termination::interrupted) return outcome;
+  // What is held may leave too little to meet the constraints with: then nothing is.
   held = nlp->held();
-  for (std::size_t i = 0; i < released.size(); ++i)
-    if (released[i]) held[i] = 0;
   SolverOptions again = options;
-  again.from = outcome.x;
-  again.warm = outcome.warm;
+  if (!outcome.converged()) {
+    if (std::ranges::find(held, 1) == held.end()) return outcome;
+    std::ranges::fill(held, 0);
+  } else {
+    const std::vector<std::uint8_t> released = nlp->released();
+    if (released.empty()) return outcome;
+    for (std::size_t i = 0; i < released.size(); ++i)
+      if (released[i]) held[i] = 0;
+    again.from = outcome.x;
+    again.warm = outcome.warm;
+  }
   Outcome next = solve(task, again, std::move(held));
   next.add_before(outcome);
   return next;
