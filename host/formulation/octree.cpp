@@ -74,9 +74,11 @@ class Octree final : public Formulation {
 
   bool refines() const override { return true; }
   bool refine(std::vector<double>& x) override {
-    // A solve is due where cells are fractional that need not be, or where none is a voxel yet. What else is
-    // coarse on the void's surface is split as it is, which changes no moment.
-    const bool due = count_cells(x).coarse > 0 || finest_ > 1;
+    // A solve is due where more than a few of the fractional cells need not be, or where none is a voxel yet.
+    // What else is coarse on the void's surface is split as it is, which changes no moment.
+    constexpr std::size_t few = 100;  // one in
+    const CellCounts counts = count_cells(x);
+    const bool due = few * counts.coarse > counts.fractional || finest_ > 1;
     for (std::vector<std::uint8_t> split; split = to_split(x), std::ranges::find(split, 1) != split.end();) {
       look_around(x);
       split_leaves(split);

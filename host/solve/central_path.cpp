@@ -52,9 +52,9 @@ double minimiser(double a, double d, double barrier, double lower, double upper,
     (value > 0 ? high : low) = x;
     const double slope = d + from_low / (x - lower) + from_high / (upper - x);
     const double next = x - value / slope;
-    const double before = x;
+    // At the root a step is round-off, and may end on either side of what is known.
+    if (std::abs(next - x) <= still * (upper - lower)) break;
     x = next > low && next < high ? next : (low + high) / 2;
-    if (std::abs(x - before) < still * (upper - lower)) break;
   }
   return x;
 }

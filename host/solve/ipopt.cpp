@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cmath>
 #include <new>
+#include <utility>
 
 #include "error.hpp"
 #include "memory.hpp"
@@ -45,12 +46,9 @@ Defaults defaults_for(bool linear, bool exact) {
   return d;
 }
 
-/// For a solve that goes on from another. The barrier stays wide enough for cells on the void's surface to
-/// change sides: nearer to the end of the central path each of them stops the steps of all (measured on the
-/// heart: 20 iterations, 80 from a barrier of 1e-5).
+/// For a solve that goes on from another: its own start is not to be pushed off the central path.
 const Settings& warm_settings() {
   static const Settings settings = {{"warm_start_init_point", "yes"},
-                                    {"mu_init", "1e-2"},
                                     {"warm_start_bound_push", "1e-9"},
                                     {"warm_start_bound_frac", "1e-9"},
                                     {"warm_start_mult_bound_push", "1e-12"}};
@@ -191,7 +189,8 @@ void require_memory(const Task& task, const Memory& memory) {
   if (memory.limited) reserve_blas_buffers();
 }
 
-Outcome solve(const Task& task, const SolverOptions& options) {
+/// @param held  variables that stay at their bound, of a solve that goes on; empty: to be found
+Outcome solve(const Task& task, const SolverOptions& options, std::vector<std::uint8_t> held = {}) {
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> app = new Ipopt::IpoptApplication(false);
   app->RethrowNonIpoptException(true);
   Settings settings = options.own;
@@ -220,10 +219,11 @@ Outcome solve(const Task& task, const SolverOptions& options) {
   const Ipopt::SmartPtr<Nlp> nlp =
       lifted ? make_lifted_nlp(task, start, options.convexify) : make_direct_nlp(task, start);
   if (goes_on) {
-    double barrier = 0, scale = 1;
-    app->Options()->GetNumericValue("mu_init", barrier, "");
+    double scale = 1;
     app->Options()->GetNumericValue("obj_scaling_factor", scale, "");
-    nlp->go_on(options.warm, barrier / scale);
+    const double barrier = scale * nlp->go_on(options.warm, std::move(held));
+    const auto [option, ours] = settings.insert({"mu_init", fmt::format("{:.6g}", barrier)});
+    if (ours) set_option(*app, option->first, option->second);
   }
   const Ipopt::SmartPtr<MemoryJournal> journal = new MemoryJournal();
   app->Jnlst()->AddJournal(GetRawPtr(journal));
@@ -253,7 +253,24 @@ Outcome solve(const Task& task, const SolverOptions& options) {
     outcome.dual_infeasibility = dual;
     outcome.complementarity = complementarity;
   }
-  return outcome;
+  if (outcome.termination == Termination::interrupted) return outcome;
+  // What is held may leave too little to meet the constraints with: then nothing is.
+  held = nlp->held();
+  SolverOptions again = options;
+  if (!outcome.converged()) {
+    if (std::ranges::find(held, 1) == held.end()) return outcome;
+    std::ranges::fill(held, 0);
+  } else {
+    const std::vector<std::uint8_t> released = nlp->released();
+    if (released.empty()) return outcome;
+    for (std::size_t i = 0; i < released.size(); ++i)
+      if (released[i]) held[i] = 0;
+    again.from = outcome.x;
+    again.warm = outcome.warm;
+  }
+  Outcome next = solve(task, again, std::move(held));
+  next.add_before(outcome);
+  return next;
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ Nlp::Nlp(const Task& task, std::vector<double> start)
     : task_(task),
       n_(task.formulation.num_variables()),
       start_(std::move(start)),
-      own_(task.formulation.own_constraints()) {
+      own_(task.formulation.own_constraints()),
+      bounds_(task.formulation.bounds()) {
   const LinearConstraints& c = task.problem.constraints();
   for (Eigen::Index r = 0; r < c.matrix.rows(); ++r) {
     if (!margin()) {
@@ -74,15 +75,85 @@ std::vector<double> Nlp::slopes(std::span<const double> x) const {
   return slope;
 }
 
-void Nlp::go_on(const WarmStart& warm, double barrier) {
-  warm_ = warm;
-  const Bounds& bounds = task_.formulation.bounds();
-  to_central_path(start_, slopes(start_), regulariser().empty() ? nullptr : task_.formulation.regulariser(),
-                  bounds, barrier);
-  for (std::size_t i = 0; i < n_; ++i) {
-    z_lower_.push_back(barrier / (start_[i] - bounds.lower[i]));
-    z_upper_.push_back(barrier / (bounds.upper[i] - start_[i]));
+std::vector<double> Nlp::distances(std::span<const double> slope) const {
+  // By volume the slope is a field that is zero on the void's surface, and changes by `step` from a cell to
+  // the next of its size.
+  std::vector<double> volume(n_), field(n_), step(n_, 0.0), any(n_, 0.0);
+  const Moments unit = Moments::Unit(S1);
+  task_.formulation.pull_back(start_, {&unit, 1}, volume);
+  for (std::size_t i = 0; i < n_; ++i) field[i] = slope[i] / volume[i];
+  for (const SparseRows::Entry& e : regulariser()) {
+    const auto i = static_cast<std::size_t>(e.row), j = static_cast<std::size_t>(e.column);
+    const bool alike = volume[i] <= 2 * volume[j] && volume[j] <= 2 * volume[i];
+    const double change = std::abs(field[i] - field[j]);
+    for (const std::size_t k : {i, j}) (alike ? step : any)[k] = std::max((alike ? step : any)[k], change);
   }
+  for (std::size_t i = 0; i < n_; ++i) {
+    if (step[i] == 0) step[i] = any[i];
+    field[i] = step[i] > 0 ? field[i] / step[i] : 0;
+  }
+  return field;
+}
+
+void Nlp::hold(std::span<const double> slope) {
+  constexpr double moves =
+      0.25;  // cells, the void's surface from one round to the next (measured: below 0.1)
+  constexpr double at_bound = 1e-2;
+  const std::vector<double> distance = distances(slope);
+  for (std::size_t i = 0; i < n_; ++i) {
+    const double share = (start_[i] - bounds_.lower[i]) / (bounds_.upper[i] - bounds_.lower[i]);
+    held_[i] = (share < at_bound || share > 1 - at_bound) && std::abs(distance[i]) > moves;
+  }
+}
+
+double Nlp::go_on(const WarmStart& warm, std::vector<std::uint8_t> held) {
+  warm_ = warm;
+  held_ = std::move(held);
+  const std::vector<double> slope = slopes(start_);
+  std::vector<double> sizes(n_);
+  std::ranges::transform(slope, sizes.begin(), [](double s) { return std::abs(s); });
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(n_ / 2);
+  std::ranges::nth_element(sizes, middle);
+  // A cell of the median slope is then half way from its bound to the middle.
+  const double barrier = *middle;
+  const SparseForm* form = regulariser().empty() ? nullptr : task_.formulation.regulariser();
+  if (held_.empty()) {
+    held_.assign(n_, 0);
+    constexpr double narrow = 1e-3;  // where cells at a bound are seen to be there
+    to_central_path(start_, slope, form, bounds_, narrow * barrier);
+    if (form) hold(slope);
+  }
+  for (std::size_t i = 0; i < n_; ++i)
+    if (held_[i])
+      start_[i] = bounds_.lower[i] = bounds_.upper[i] =
+          start_[i] > (bounds_.lower[i] + bounds_.upper[i]) / 2 ? bounds_.upper[i] : bounds_.lower[i];
+  to_central_path(start_, slope, form, bounds_, barrier);
+  z_lower_.assign(n_, 0.0);
+  z_upper_.assign(n_, 0.0);
+  for (std::size_t i = 0; i < n_; ++i) {
+    if (held_[i]) continue;
+    z_lower_[i] = barrier / (start_[i] - bounds_.lower[i]);
+    z_upper_[i] = barrier / (bounds_.upper[i] - start_[i]);
+  }
+  return barrier;
+}
+
+std::vector<std::uint8_t> Nlp::released() const {
+  std::vector<std::uint8_t> released;
+  if (std::ranges::find(held_, 1) == held_.end() || solution_.empty()) return released;
+  std::vector<double> slope = slopes(solution_);
+  if (!regulariser().empty()) task_.formulation.regulariser()->add_gradient(solution_, slope);
+  const std::vector<double> distance = distances(slope);
+  constexpr double far = 0.01;  // cells; nearer, a variable would leave its bound by next to nothing
+  const Bounds& bounds = task_.formulation.bounds();
+  for (std::size_t i = 0; i < n_; ++i) {
+    if (!held_[i]) continue;
+    const bool full = solution_[i] > (bounds.lower[i] + bounds.upper[i]) / 2;
+    if (full ? distance[i] < far : distance[i] > -far) continue;
+    if (released.empty()) released.assign(n_, 0);
+    released[i] = 1;
+  }
+  return released;
 }
 
 void Nlp::start_variables(Number* x, bool with_z, Number* z_L, Number* z_U, bool with_lambda,
@@ -108,8 +179,8 @@ void Nlp::finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const
 }
 
 void Nlp::fill_bounds(Number* lower, Number* upper) const {
-  std::ranges::copy(task_.formulation.bounds().lower, lower);
-  std::ranges::copy(task_.formulation.bounds().upper, upper);
+  std::ranges::copy(bounds_.lower, lower);
+  std::ranges::copy(bounds_.upper, upper);
 }
 
 Nlp::Index Nlp::own_structure(Index row, Index* i, Index* j) const {

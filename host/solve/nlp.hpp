@@ -23,8 +23,16 @@ class Nlp : public Ipopt::TNLP {
   Nlp(const Task& task, std::vector<double> start);
 
   /// Starts from the multipliers of a solve before, which are those of the same rows: on their central path.
-  /// @param barrier  parameter of the first iterate, of the objective as it is
-  void go_on(const WarmStart& warm, double barrier);
+  /// Cells that they hold at a bound, and would even if the void's surface moved by a quarter of a cell, are
+  /// taken out of the problem: released() says where that was wrong.
+  ///
+  /// @param held  from a solve before, less released(); empty: to be found
+  /// @return      the barrier parameter to start with, of the objective as it is
+  double go_on(const WarmStart& warm, std::vector<std::uint8_t> held);
+
+  [[nodiscard]] const std::vector<std::uint8_t>& held() const { return held_; }
+  /// Which of the held variables the multipliers at the solution would let go; empty: none.
+  [[nodiscard]] std::vector<std::uint8_t> released() const;
 
   [[nodiscard]] const WarmStart& warm() const { return warm_; }
   [[nodiscard]] const std::vector<double>& solution() const { return solution_; }
@@ -77,6 +85,9 @@ class Nlp : public Ipopt::TNLP {
                                                 std::span<const double> multipliers) const = 0;
   /// The moments' part of that gradient.
   [[nodiscard]] std::vector<double> slopes(std::span<const double> x) const;
+  /// How far from each variable's cell the void's surface is, in cells; its sign is that of the slope.
+  [[nodiscard]] std::vector<double> distances(std::span<const double> slope) const;
+  void hold(std::span<const double> slope);
   /// Where a solve starts: x, and when it goes on from another, all multipliers.
   void start_variables(Number* x, bool with_z, Number* z_L, Number* z_U, bool with_lambda,
                        Number* lambda) const;
@@ -103,6 +114,8 @@ class Nlp : public Ipopt::TNLP {
  private:
   std::vector<double> solution_, auxiliary_;
   WarmStart warm_;
+  Bounds bounds_;
+  std::vector<std::uint8_t> held_;         ///< variables whose bounds are one
   std::vector<double> z_lower_, z_upper_;  ///< of the bounds, to go on from
   std::vector<Iterate> history_;
 };

@@ -188,7 +188,8 @@ Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& 
     if (options.on_refinement) options.on_refinement(round);
     if (!refined) break;
     Outcome next = solve_sequence(solver, task, onward);
-    if (next.termination == Termination::failed && !onward.warm.multipliers.empty()) {
+    if (!next.converged() && next.termination != Termination::interrupted &&
+        !onward.warm.multipliers.empty()) {
       onward.warm = {};
       next = solve_sequence(solver, task, onward);
     }
