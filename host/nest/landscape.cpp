@@ -18,6 +18,15 @@ constexpr std::size_t block = 64;  ///< rays whose ratios are formed at once
 constexpr std::size_t stride = 16;
 constexpr int most_directions = 1 << 20;
 
+/// Each sweep over the rotations takes steps that are this much finer than those of the one before.
+constexpr int finer = 16;
+
+int coarsest(int rotations) {
+  int skip = 1;
+  while (skip * finer * finer < rotations) skip *= finer;
+  return skip;
+}
+
 using Block = Eigen::Array<float, block, 1>;
 
 }  // namespace
@@ -191,14 +200,16 @@ Landscape landscape(const PlaneShapes& shapes, const LandscapeSpec& spec,
       ++inside[row];
       search.put(part->outline, centroid);
       float best = 0;
-      for (int k = 0; k < spec.rotations; ++k) {
-        const int rotation = (first + k) % spec.rotations;
-        const float scale = search.largest(rotation * turn, spec.abort ? best : 0);
-        if (scale > best) {
-          best = scale;
-          found.rotation[index] = rotation;
+      // Coarse turns first: the finer ones then have a high floor, and only those about a peak pass it.
+      for (int skip = coarsest(spec.rotations); skip >= 1; skip /= finer)
+        for (int k = 0; k < spec.rotations; k += skip) {
+          const int rotation = (first + k) % spec.rotations;
+          const float scale = search.largest(rotation * turn, spec.abort ? best : 0);
+          if (scale > best) {
+            best = scale;
+            found.rotation[index] = rotation;
+          }
         }
-      }
       found.scale[index] = best;
       first = found.rotation[index];
     }
