@@ -165,7 +165,13 @@ class Builder {
     const Eigen::Affine3d to_size(Eigen::Scaling(outer_scale));
     const TriangleMesh outside = moved(shapes_[layer.outer], to_size);
     Clock::time_point start = Clock::now();
-    const Nesting nesting(space_inside(outside, spec_.tolerances, voxel), shapes_[layer.inner]);
+    TriangleMesh space = space_inside(outside, spec_.tolerances, voxel);
+    if (space.triangles.empty())
+      throw InputError(
+          fmt::format("shape {} has no inside at cells of {:.3g} mm; expected a mesh without holes, or "
+                      "more cells",
+                      layer.outer + 1, voxel));
+    const Nesting nesting(std::move(space), shapes_[layer.inner]);
     layer.offset_seconds = seconds_since(start);
 
     const OptimiseResult found =
@@ -192,7 +198,8 @@ class Builder {
     const Eigen::Affine3d to_world = outer_to_world * to_size.inverse();
     layer.inner_to_world = to_world * inner_to_outer;
     layer.cut = cut_in_world(found.best->cut, nesting, to_world);
-    layer.ratio = layer.scale * measures_[layer.inner].longest / (outer_scale * outer.longest);
+    layer.longest = layer.scale * measures_[layer.inner].longest;
+    layer.ratio = layer.longest / (outer_scale * outer.longest);
     layer.thickness = clearance(outside, moved(shapes_[layer.inner], inner_to_outer),
                                 cut_in_world(found.best->cut, nesting, Eigen::Affine3d::Identity()), voxel) -
                       spec_.tolerances.accuracy;
