@@ -5,7 +5,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
@@ -19,19 +18,10 @@
 #include "run/run_domain.hpp"
 #include "solve/explain.hpp"
 #include "solve/interrupt.hpp"
+#include "stopwatch.hpp"
 
 namespace kreisel {
 namespace {
-
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 double median(std::vector<double> values) {
   std::ranges::sort(values);

@@ -4,7 +4,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -12,6 +11,7 @@
 
 #include "error.hpp"
 #include "parse.hpp"
+#include "stopwatch.hpp"
 
 namespace kreisel {
 namespace {
@@ -233,7 +233,7 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
   Outcome outcome;
   outcome.settings = {{"tolerance", fmt::format("{:g}", own.tolerance)}};
   task.device.reset_kernel_seconds();
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
 
   State state;
   Phase phase = Phase::stalled;
@@ -273,7 +273,7 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
   outcome.dual_infeasibility = state.residual;
   outcome.multipliers.assign(state.multipliers.begin(), state.multipliers.end());
   outcome.iterations = static_cast<int>(outcome.history.size());
-  outcome.solve_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  outcome.solve_seconds = watch.seconds();
   outcome.kernel_seconds = task.device.kernel_seconds();
   switch (phase) {
     case Phase::converged:

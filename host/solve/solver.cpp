@@ -4,13 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "error.hpp"
 #include "parse.hpp"
 #include "solve/ipopt.hpp"
 #include "solve/moment.hpp"
 #include "solve/plane_sweep.hpp"
+#include "stopwatch.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel {
@@ -171,7 +171,7 @@ Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& 
   // A level a round, and some more where the void's surface moves on to cells that were left coarse.
   constexpr std::size_t most_rounds = 16;
   while (task.formulation.refines()) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     onward.from = all.x;
     onward.warm = all.warm;
     const bool refined =
@@ -181,7 +181,7 @@ Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& 
       round.variables = all.x.size();
       round.cells = task.formulation.count_cells(all.x);
     }
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double seconds = watch.seconds();
     round.seconds += seconds;
     all.solve_seconds += seconds;
     all.refinements.push_back(round);
