@@ -70,6 +70,7 @@ class Search {
   Rows rows_;
   double tolerance_;
   std::vector<Iterate>& history_;
+  bool solved_ = true;  ///< the last model
 };
 
 void Search::note(const State& state, int trials) {
@@ -124,6 +125,7 @@ Phase Search::model_step(State& state, bool first) {
   state.s += alpha * step;
   state.multipliers = point.multipliers;
   state.active = point.active;
+  solved_ = point.ending == DualPoint::converged || point.residual <= 1e-4;
   state.q = point.q;
   state.residual = exact ? point.residual : step.lpNorm<Eigen::Infinity>();
   note(state, trials);
@@ -188,7 +190,9 @@ Phase Search::newton(State& state, bool descending) {
 }
 
 Phase Search::run(State& state, bool known, int most_steps) {
-  for (int step = 0; step < most_steps; ++step) {
+  // Models that are not solved, one after the other, lead nowhere.
+  constexpr int most_unsolved = 5;
+  for (int step = 0, unsolved = 0; step < most_steps && unsolved < most_unsolved; ++step) {
     if (known || state.residual < 3e-2) {
       const Phase phase = margin() ? Phase::going_on : newton(state, !known);
       if (phase == Phase::converged) return phase;
@@ -198,6 +202,7 @@ Phase Search::run(State& state, bool known, int most_steps) {
     const Phase phase = model_step(state, step == 0 && (!known || off));
     known = false;
     if (phase != Phase::going_on) return phase;
+    unsolved = solved_ ? 0 : unsolved + 1;
   }
   return Phase::stalled;
 }
