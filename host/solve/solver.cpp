@@ -161,6 +161,14 @@ Refinement describe(const Task& task, const Outcome& outcome) {
           outcome.solve_seconds};
 }
 
+/// Is there anything to learn from finer cells? What coarse ones cannot meet, finer ones may: those are
+/// sought along the best compromise, while they are few. It takes a solver long to say of many that they
+/// cannot.
+bool worth_refining(const Outcome& outcome) {
+  constexpr std::size_t few = 20'000;
+  return outcome.converged() || (outcome.termination == Termination::infeasible && outcome.x.size() <= few);
+}
+
 }  // namespace
 
 Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& options) {
@@ -174,8 +182,8 @@ Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& 
     const Stopwatch watch;
     onward.from = all.x;
     onward.warm = all.warm;
-    const bool refined =
-        all.converged() && all.refinements.size() + 1 < most_rounds && task.formulation.refine(onward.from);
+    const bool refined = worth_refining(all) && all.refinements.size() + 1 < most_rounds &&
+                         task.formulation.refine(onward.from);
     if (!refined) {
       all.x = onward.from;
       round.variables = all.x.size();
