@@ -129,7 +129,7 @@ Certificate certify(const Problem& problem, const Rays& domain, const MassModel&
       certify_centred(c, *spin, task, support, outcome);
     } else {
       c.kind = c.spin.moment > 0 ? Certificate::Kind::top : Certificate::Kind::spin;
-      certify_spin(c, *spin, task, support, outcome, options, spent);
+      certify_spin(c, *spin, task, support, outcome, options, [&] { return watch.seconds(); });
     }
   } else if (ratio) {
     prove_ratio(c, support, outcome, constrained);
