@@ -5,7 +5,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
@@ -15,23 +14,15 @@
 #include "fabricate/verify.hpp"
 #include "formulation/meet_constraints.hpp"
 #include "memory.hpp"
+#include "problem/ray_direction.hpp"
 #include "run/remedies.hpp"
 #include "run/run_domain.hpp"
 #include "solve/explain.hpp"
 #include "solve/interrupt.hpp"
+#include "stopwatch.hpp"
 
 namespace kreisel {
 namespace {
-
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 double median(std::vector<double> values) {
   std::ranges::sort(values);
@@ -143,6 +134,17 @@ void add_certificate(RunResult& r, const Task& task, const Rays& domain, const S
   r.outcome = std::move(again);
 }
 
+/// Lays the body anew where rays along its axis would run along the cut, and nobody asked for them.
+Body with_rays_across_the_cut(Body body, const RunConfig& config) {
+  const BodySpec& given = config.body;
+  if (given.axis || given.up || given.axle.radius) return body;
+  const auto axis = ray_direction(config.problem, settings_of(config, "problem"), body);
+  if (!axis) return body;
+  const Body made = body;
+  reframe(body, made, *axis, given.contact.value_or(lowest_point(made.mesh, *axis)));
+  return body;
+}
+
 /// Rounds the optimum to whole voxels.
 Inside round_to_voxels(RunResult& r, const Task& task, const Body& body, bool fit) {
   Rounded rounded = task.formulation.round(r.outcome.x);
@@ -205,7 +207,7 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progr
   BodySpec spec = config.body;
   spec.stands_upright = asked.upright;
   spec.centred = asked.centred;
-  const Body body = make_body(spec, device);
+  const Body body = with_rays_across_the_cut(make_body(spec, device), config);
   stop_if_interrupted();
   const std::unique_ptr<Problem> problem = asked.make(settings_of(config, "problem"), body);
   require_form(solver, *problem);
