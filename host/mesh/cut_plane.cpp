@@ -115,6 +115,10 @@ void add_hole(TriangleMesh& mesh, const Loop& ring, double depth) {
 }  // namespace
 
 TriangleMesh above_plane(const TriangleMesh& solid, double height, const BlindHole& hole) {
+  return above_plane(solid, height, std::span(&hole, 1));
+}
+
+TriangleMesh above_plane(const TriangleMesh& solid, double height, std::span<const BlindHole> holes) {
   Cut cut(solid, clear_height(solid, height));
   cut.keep_above();
   TriangleMesh& out = cut.out;
@@ -122,16 +126,21 @@ TriangleMesh above_plane(const TriangleMesh& solid, double height, const BlindHo
 
   // The cap looks down: seen from above its outer loops run clockwise. In (y, x) they run the other way.
   std::vector<Loop> loops = loops_of(std::move(cut.rim));
-  Loop ring;
-  for (const Point2& p : hole.polygon) {
-    ring.push_back(static_cast<std::uint32_t>(out.vertices.size()));
-    out.vertices.emplace_back(p[0], p[1], cut.height());
+  const std::vector<Loop> sections = loops;
+  std::vector<Loop> rings;
+  for (const BlindHole& hole : holes) {
+    Loop& ring = rings.emplace_back();
+    for (const Point2& p : hole.polygon) {
+      ring.push_back(static_cast<std::uint32_t>(out.vertices.size()));
+      out.vertices.emplace_back(p[0], p[1], cut.height());
+    }
   }
   std::vector<Point2> flat;
   for (const Vec3& v : out.vertices) flat.push_back({v[1], v[0]});
-  if (!ring.empty()) {
+  for (const Loop& ring : rings) {
+    if (ring.empty()) continue;
     const auto around = std::ranges::count_if(
-        loops, [&](const Loop& loop) { return inside_loop(flat, loop, flat[ring.front()]); });
+        sections, [&](const Loop& loop) { return inside_loop(flat, loop, flat[ring.front()]); });
     if (around % 2 == 0)
       throw InputError("a hole in the cut of the mesh would lie in air; expected material all around it");
     loops.push_back(ring);
@@ -159,7 +168,8 @@ TriangleMesh above_plane(const TriangleMesh& solid, double height, const BlindHo
   }
   for (std::vector<Loop>& region : regions)
     for (const Triangle& t : fill_polygon(flat, std::move(region))) out.triangles.push_back(t);
-  if (!ring.empty()) add_hole(out, ring, hole.depth);
+  for (std::size_t i = 0; i < holes.size(); ++i)
+    if (!rings[i].empty()) add_hole(out, rings[i], holes[i].depth);
   return out;
 }
 

@@ -1,6 +1,7 @@
 // cut_plane.hpp - a solid cut by a horizontal plane, and closed again.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "mesh/fill_polygon.hpp"
@@ -21,5 +22,9 @@ struct BlindHole {
 /// @return  empty where nothing is above
 /// @throws InputError  the hole's polygon does not lie inside the section; a section that crosses itself
 [[nodiscard]] TriangleMesh above_plane(const TriangleMesh& solid, double height, const BlindHole& hole = {});
+
+/// The same with several holes, which must not touch each other. One without a polygon is none.
+[[nodiscard]] TriangleMesh above_plane(const TriangleMesh& solid, double height,
+                                       std::span<const BlindHole> holes);
 
 }  // namespace kreisel
