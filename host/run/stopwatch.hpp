@@ -1,0 +1,18 @@
+// stopwatch.hpp - wall-clock seconds.
+#pragma once
+
+#include <chrono>
+
+namespace kreisel {
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace kreisel
