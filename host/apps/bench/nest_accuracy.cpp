@@ -4,7 +4,7 @@
 
 #include "apps/bench/commands.hpp"
 #include "apps/bench/nest_mesh.hpp"
-#include "apps/bench/outputs.hpp"
+#include "apps/shared/outputs.hpp"
 #include "file/write_text.hpp"
 #include "nest/accuracy.hpp"
 #include "run/build_info.hpp"

@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/bench/commands.hpp"
-#include "apps/bench/outputs.hpp"
+#include "apps/shared/outputs.hpp"
 #include "error.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/table.hpp"
