@@ -26,38 +26,37 @@ double clear_of_corners(const TriangleMesh& mesh, double wanted, double reach) {
   return (heights[widest] + heights[widest - 1]) / 2;
 }
 
-TriangleMesh upside_down(TriangleMesh mesh) {
-  for (Vec3& v : mesh.vertices) v = {v[0], -v[1], -v[2]};
-  return mesh;
-}
-
 TriangleMesh turned(TriangleMesh mesh, const Eigen::Matrix3d& rotation) {
   for (Vec3& v : mesh.vertices) v = rotation * v;
   return mesh;
 }
 
-TriangleMesh in_single_precision(TriangleMesh mesh) {
-  for (Vec3& v : mesh.vertices) v = v.cast<float>().cast<double>();
-  RepairReport ignored;  // of corners that became one
-  return repaired(std::move(mesh), ignored);
-}
+Vec3 in_single_precision(const Vec3& v) { return v.cast<float>().cast<double>(); }
 
-/// Above and below; empty where there is nothing.
+/// Above and below; empty where there is nothing. @param solid  in single precision, and so are the halves
 std::pair<TriangleMesh, TriangleMesh> split(const TriangleMesh& solid, const Cut& plane) {
   const Eigen::Matrix3d rotation = axis_to_z(plane.normal);
+  const Eigen::DiagonalMatrix<double, 3> over(1, -1, -1);
   const TriangleMesh level = turned(solid, rotation);
   const double size = bounding_box(level).extent().maxCoeff(),
                height = clear_of_corners(level, plane.offset / plane.normal.norm(), 1e-3 * size);
-  const auto back = [&](TriangleMesh half) {
-    return half.triangles.empty() ? half : in_single_precision(turned(std::move(half), rotation.transpose()));
+  const auto half = [&](const Eigen::Matrix3d& turn, double at) {
+    TriangleMesh mesh = above_plane(turned(solid, turn), at, {}, [&](const Vec3& v) -> Vec3 {
+      return turn * in_single_precision(turn.transpose() * v);
+    });
+    mesh = turned(std::move(mesh), turn.transpose());
+    for (Vec3& v : mesh.vertices) v = in_single_precision(v);  // there and back is round-off off
+    RepairReport ignored;
+    return mesh.triangles.empty() ? mesh : repaired(std::move(mesh), ignored);
   };
-  return {back(above_plane(level, height)), back(upside_down(above_plane(upside_down(level), -height)))};
+  return {half(rotation, height), half(over * rotation, -height)};
 }
 
 }  // namespace
 
 std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Cut> planes) {
   std::vector<TriangleMesh> pieces = {joined(part.surfaces, part.name)};
+  for (Vec3& v : pieces[0].vertices) v = in_single_precision(v);
   for (const Cut& plane : planes) {
     std::vector<TriangleMesh> next;
     for (const TriangleMesh& piece : pieces) {

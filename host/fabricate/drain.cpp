@@ -181,6 +181,22 @@ void refine_about(TriangleMesh& mesh, const Bore& bore, double radius, double le
   });
 }
 
+/// The triangles that may be near a bore.
+TriangleMesh about(const TriangleMesh& mesh, const Bore& bore, double radius) {
+  TriangleMesh some;
+  some.vertices = mesh.vertices;
+  for (const Triangle& t : mesh.triangles) {
+    double nearest = std::numeric_limits<double>::infinity(), longest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& a = mesh.vertices[t[i]];
+      nearest = std::min(nearest, bore.off_axis(a));
+      longest = std::max(longest, (a - mesh.vertices[t[(i + 1) % 3]]).norm());
+    }
+    if (nearest - longest < 3 * radius) some.triangles.push_back(t);
+  }
+  return some;
+}
+
 }  // namespace
 
 std::vector<Drain> drains_of(const TriangleMesh& outer, const TriangleMesh& cavity, double radius,
@@ -199,8 +215,7 @@ std::vector<Drain> drains_of(const TriangleMesh& outer, const TriangleMesh& cavi
     double least = limit;
     for (const std::uint32_t v : corners) least = std::min(least, distance(cavity.vertices[v], least));
     std::ranges::sort(corners, {}, [&](std::uint32_t v) { return up.dot(cavity.vertices[v]); });
-    // The lowest few hundred places, spread over the lower half.
-    const std::size_t step = std::max<std::size_t>(1, corners.size() / 800);
+    const std::size_t step = std::max<std::size_t>(1, corners.size() / 500);  // places to try
     for (std::size_t i = 0; i < corners.size(); i += step) {
       const Vec3& p = cavity.vertices[corners[i]];
       const auto nearest = distance.nearest(p, 1.1 * least);
@@ -209,7 +224,8 @@ std::vector<Drain> drains_of(const TriangleMesh& outer, const TriangleMesh& cavi
       const Vec3 q = nearest_on_triangle(p, outer.vertices[t[0]], outer.vertices[t[1]], outer.vertices[t[2]]);
       const Drain drain{q, (p - q).normalized()};
       try {
-        (void)drained(outer, cavity, {drain}, radius);
+        const Bore bore(drain);
+        (void)drained(about(outer, bore, radius), about(cavity, bore, radius), {drain}, radius);
       } catch (const InputError&) {
         continue;
       }

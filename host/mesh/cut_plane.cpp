@@ -29,7 +29,8 @@ double clear_height(const TriangleMesh& mesh, double height) {
 
 class Cut {
  public:
-  Cut(const TriangleMesh& solid, double height) : solid_(solid), height_(height) {}
+  Cut(const TriangleMesh& solid, double height, const std::function<Vec3(const Vec3&)>& round)
+      : solid_(solid), height_(height), round_(round) {}
 
   /// What lies above, open; and of its rim the edges as the cap runs along them.
   void keep_above() {
@@ -45,11 +46,13 @@ class Cut {
       const std::uint32_t a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
       const std::uint32_t ab = crossing(a, b), ac = crossing(a, c);
       if (alone) {
+        if (ab == ac) continue;
         out.triangles.push_back({kept(a), ab, ac});
         rim[ac] = ab;
       } else {
         const std::uint32_t kept_b = kept(b), kept_c = kept(c);
         out.triangles.push_back({ab, kept_b, kept_c});
+        if (ab == ac) continue;
         out.triangles.push_back({ab, kept_c, ac});
         rim[ab] = ac;
       }
@@ -74,13 +77,19 @@ class Cut {
       const Vec3 &low = solid_.vertices[ends.first], &high = solid_.vertices[ends.second];
       Vec3 at = low + (height_ - low[2]) / (high[2] - low[2]) * (high - low);
       at[2] = height_;
-      out.vertices.push_back(at);
+      if (round_) {
+        at = round_(at);
+        entry->second = rounded_.try_emplace({at[0], at[1], at[2]}, entry->second).first->second;
+      }
+      if (entry->second == out.vertices.size()) out.vertices.push_back(at);
     }
     return entry->second;
   }
 
   const TriangleMesh& solid_;
   double height_;
+  const std::function<Vec3(const Vec3&)>& round_;
+  std::map<std::array<double, 3>, std::uint32_t> rounded_;
   std::map<std::uint32_t, std::uint32_t> kept_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> crossings_;
 };
@@ -118,8 +127,9 @@ TriangleMesh above_plane(const TriangleMesh& solid, double height, const BlindHo
   return above_plane(solid, height, std::span(&hole, 1));
 }
 
-TriangleMesh above_plane(const TriangleMesh& solid, double height, std::span<const BlindHole> holes) {
-  Cut cut(solid, clear_height(solid, height));
+TriangleMesh above_plane(const TriangleMesh& solid, double height, std::span<const BlindHole> holes,
+                         const std::function<Vec3(const Vec3&)>& round) {
+  Cut cut(solid, clear_height(solid, height), round);
   cut.keep_above();
   TriangleMesh& out = cut.out;
   if (out.triangles.empty()) return out;

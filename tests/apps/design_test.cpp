@@ -129,7 +129,7 @@ TEST_F(Design, DrainedIsStillBalanced) {
 }
 
 TEST_F(Design, OfAnInfeasibleProblemWritesNothingAndSaysWhatWouldHelp) {
-  const BenchAnswer a = design(fmt::format("spin spheres -o {} --json {} {}", file("part.stl"),
+  const BenchAnswer a = design(fmt::format("spin cuboid --contact 5,5,0 -o {} --json {} {}", file("part.stl"),
                                            file("report.json"), "--resolution 24"));
   EXPECT_EQ(a.code, 3) << a.out;
   EXPECT_NE(a.out.find("would help"), std::string::npos) << a.out;

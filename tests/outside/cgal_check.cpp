@@ -1,4 +1,5 @@
-// cgal_check.cpp - what CGAL says of a mesh: is it closed, does it run through itself, does it bound a volume?
+// cgal_check.cpp - what CGAL says of a mesh: is it closed, does it run through itself, does it bound a
+// volume?
 //
 //   cgal_check FILE...   one line each: file triangles N closed B self_intersects B bounds_volume B volume V
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
