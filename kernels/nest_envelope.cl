@@ -12,12 +12,6 @@
 
 #define FAR ((float16)INFINITY)
 
-static inline int fault_of(float b, float back, float front) {
-  if (b == -INFINITY || (b < back && back < front)) return NEST_GOOD;
-  if (back == INFINITY && front == INFINITY) return NEST_UNCOVERED;
-  return b < back && b < front ? NEST_STICKS_OUT : NEST_SWEPT;
-}
-
 kernel void nest_envelope(NestRaster p, const global NestView* view, const global int4* point,
                           const global uint* corner, global float16* depth, global int4* bad, global uchar* map) {
   if (get_global_id(0) % NEST_SPREAD) return;
@@ -82,7 +76,7 @@ kernel void nest_envelope(NestRaster p, const global NestView* view, const globa
       for (int k = 0; k < 16; ++k) {
         const int x = 4 * tx + (k & 3), y = 4 * ty + (k >> 2), pixel = y * p.width + x;
         if (x >= p.width || y >= p.width) continue;
-        const int fault = fault_of(((float*)&b)[k], ((float*)&back)[k], ((float*)&front)[k]);
+        const int fault = nest_fault(((float*)&b)[k], ((float*)&back)[k], ((float*)&front)[k]);
         if (p.map) map[second * (size_t)p.width * p.width + pixel] = fault;
         if (fault == NEST_GOOD || pixel >= first.x) continue;
         const int4 found = {pixel, fault, as_int(((float*)&b)[k]), 0};

@@ -19,40 +19,14 @@
 #define PEEL_FRONT 2
 #define PEEL_B 4
 
-static inline uint key_of(float w) {
-  const uint bits = as_uint(w);
-  return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
-}
-
-#define FOR_EACH_FRAGMENT(BODY)                                                                                  \
-  const int id = get_global_id(0), second = id >= p.triangles, i = id - second * p.triangles;                        \
-  if (id >= 2 * p.triangles) return;                                                                             \
-  const global int4* seen = point + second * (size_t)p.vertices;                                                   \
-  const global uint* c = corner + 3 * (size_t)i;                                                                 \
-  NestTriangle t;                                                                                                \
-  if (!nest_triangle(&t, seen[c[0]], seen[c[1]], seen[c[2]], 0, 0, p.tiles - 1, p.tiles - 1)) return;            \
-  const float plane[3] = {view[second].plane[0], view[second].plane[1], view[second].plane[2]};                        \
-  for (int ty = t.ty0; ty <= t.ty1; ++ty)                                                                        \
-    for (int tx = t.tx0; tx <= t.tx1; ++tx) {                                                                    \
-      int16 covered;                                                                                             \
-      const float16 w = nest_fragments(&t, plane, tx, ty, &covered);                                             \
-      for (int k = 0; k < 16; ++k) {                                                                             \
-        const int x = 4 * tx + (k & 3), y = 4 * ty + (k >> 2);                                                   \
-        if (!((int*)&covered)[k] || x >= p.width || y >= p.width) continue;                                      \
-        const size_t pixel = second * (size_t)p.width * p.width + (size_t)y * p.width + x;                         \
-        const uint key = key_of(((float*)&w)[k]);                                                                \
-        BODY                                                                                                     \
-      }                                                                                                          \
-    }
-
 kernel void nest_peel_depth(NestRaster p, const global NestView* view, const global int4* point,
                             const global uint* corner, const global uint* near, volatile global uint* far) {
-  FOR_EACH_FRAGMENT(if (key > near[pixel]) atomic_min(far + pixel, key);)
+  NEST_EACH_FRAGMENT(if (key > near[pixel]) atomic_min(far + pixel, key);)
 }
 
 kernel void nest_peel_colour(NestRaster p, const global NestView* view, const global int4* point,
                              const global uint* corner, const global uint* far, volatile global uint* is) {
-  FOR_EACH_FRAGMENT(if (key == far[pixel])
+  NEST_EACH_FRAGMENT(if (key == far[pixel])
                         atomic_or(is + pixel, i >= p.first_b ? PEEL_B : t.front ? PEEL_FRONT : PEEL_BACK);)
 }
 

@@ -108,4 +108,41 @@ static inline float nest_fragment(const NestTriangle* t, const float plane[3], i
   *covered &= w > fma(plane[1], lx, fma(plane[2], ly, cut));
   return w;
 }
+
+/* Depths as keys that sort like them, for atomic minima and maxima; 0 and all bits set are no depth's. */
+static inline uint nest_key(float w) {
+  const uint bits = as_uint(w);
+  return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+}
+static inline float nest_depth(uint key) { return as_float(key & 0x80000000u ? key & 0x7fffffffu : ~key); }
+
+/* BODY for each fragment of the triangle of this item, one of 2 * triangles: `i` its triangle, `t` what it has of it,
+ * `pixel` where in both views' pixels, `key` of its depth. */
+#define NEST_EACH_FRAGMENT(BODY)                                                                      \
+  const int id = get_global_id(0), second = id >= p.triangles, i = id - second * p.triangles;         \
+  if (id >= 2 * p.triangles) return;                                                                  \
+  const global int4* seen = point + second * (size_t)p.vertices;                                      \
+  const global uint* c = corner + 3 * (size_t)i;                                                      \
+  NestTriangle t;                                                                                     \
+  if (!nest_triangle(&t, seen[c[0]], seen[c[1]], seen[c[2]], 0, 0, p.tiles - 1, p.tiles - 1)) return; \
+  const float plane[3] = {view[second].plane[0], view[second].plane[1], view[second].plane[2]};       \
+  for (int ty = t.ty0; ty <= t.ty1; ++ty)                                                             \
+    for (int tx = t.tx0; tx <= t.tx1; ++tx) {                                                         \
+      int16 covered;                                                                                  \
+      const float16 w = nest_fragments(&t, plane, tx, ty, &covered);                                  \
+      for (int k = 0; k < 16; ++k) {                                                                  \
+        const int x = 4 * tx + (k & 3), y = 4 * ty + (k >> 2);                                        \
+        if (!((int*)&covered)[k] || x >= p.width || y >= p.width) continue;                           \
+        const size_t pixel = second * (size_t)p.width * p.width + (size_t)y * p.width + x;            \
+        const uint key = nest_key(((float*)&w)[k]);                                                   \
+        BODY                                                                                          \
+      }                                                                                               \
+    }
+
+/* Why a pixel is bad, of the farthest B there and the nearest A; -INFINITY and INFINITY where there is none. */
+static inline int nest_fault(float b, float back, float front) {
+  if (b == -INFINITY || (b < back && back < front)) return NEST_GOOD;
+  if (back == INFINITY && front == INFINITY) return NEST_UNCOVERED;
+  return b < back && b < front ? NEST_STICKS_OUT : NEST_SWEPT;
+}
 #endif

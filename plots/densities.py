@@ -10,7 +10,7 @@ def density(run):
 
 
 def figure(found, _published=None):
-    return walls.sweep(found, density, "density of the interior, g/cm³", left=None)
+    return walls.sweep(found, density, "density of the interior, g/cm³", left=None, scale="log")
 
 
 if __name__ == "__main__":

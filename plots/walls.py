@@ -42,8 +42,8 @@ def draw_line(upper, lower, model, line, colour, marker, against):
     upper.plot([], [], color=colour, marker=marker, markersize=5, label=model)
 
 
-def sweep(found, against, label, left=0):
-    """Objective, and the ratio of moments of what spins, against a quantity of the runs."""
+def sweep(found, against, label, left=0, scale="linear"):
+    """Objective (its axis of this scale), and the ratio of moments of what spins, against a quantity of the runs."""
     runs = records.with_results(found)
     lines = {model: line for model, line in series(runs, against).items() if any(map(records.converged, line))}
     if not lines:
@@ -64,6 +64,7 @@ def sweep(found, against, label, left=0):
     lower.set_title("Izz over the next principal moment; below 1 it does not spin")
     lower.set_xlabel(label)
     upper.set_xlim(left=left)
+    upper.set_yscale(scale)
     upper.legend(fontsize=8, ncols=2)
     sizes = ", ".join(f"{m} {records.grid_text(line[0])}" for m, line in lines.items())
     kinds = ", ".join(sorted({run["domain"]["kind"] for run in runs}))

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include "error.hpp"
+#include "formulation/few_rays.hpp"
 #include "formulation/quadric_moments.hpp"
 #include "formulation/ray_moments.hpp"
 
@@ -60,13 +62,15 @@ class Quadric final : public Formulation, public SupportOracle {
   Quadric(Rays rays, const Columns* voxels, device::Device& device) : voxels_(voxels) {
     const double infinity = std::numeric_limits<double>::infinity();
     bounds_ = {std::vector<double>(10, -infinity), std::vector<double>(10, infinity)};
-    // Below some thousand rays a pass costs its launch, so a coarser level would gain nothing.
-    constexpr std::size_t least_rays = 2000;
+    // Below some thousand rays a pass costs its launch, so a coarser level on the device would gain nothing.
+    constexpr std::size_t least_rays = 2000, few_rays = 400;
     levels_.emplace_back(device, rays);
     while (rays.columns.size() > 4 * least_rays) {
       rays = every_second(rays);
       levels_.emplace_back(device, rays);
     }
+    while (rays.columns.size() > few_rays) rays = every_second(rays);
+    coarsest_.emplace(rays);
   }
 
   std::string_view name() const override { return "quadric"; }
@@ -114,15 +118,17 @@ class Quadric final : public Formulation, public SupportOracle {
   }
 
   SupportOracle* oracle() override { return this; }
-  int levels() const override { return static_cast<int>(levels_.size()); }
+  int levels() const override { return static_cast<int>(levels_.size()) + 1; }
   Support support(int level, const Moments& q, bool with_hessian) override {
-    return levels_[static_cast<std::size_t>(level)](q, with_hessian);
+    const auto at = static_cast<std::size_t>(level);
+    return at < levels_.size() ? levels_[at](q, with_hessian) : (*coarsest_)(q, with_hessian);
   }
 
  private:
   const Columns* voxels_;
   Bounds bounds_;
-  std::vector<QuadricMoments> levels_;
+  std::vector<QuadricMoments> levels_;  ///< on the device
+  std::optional<FewRays> coarsest_;
 };
 
 }  // namespace

@@ -50,7 +50,8 @@ Matrix10 hessian_of(const double* sums, double hh) {
   return average * pure * average.transpose();
 }
 
-/// The kernel's sums over lines as moments of h x h columns.
+}  // namespace
+
 Moments columns_of_lines(Moments s, double h) {
   s *= h * h;
   for (const int k : {SZ, SYZ, SXZ}) s[k] /= 2;
@@ -58,8 +59,6 @@ Moments columns_of_lines(Moments s, double h) {
   for (const int k : {SXX, SYY}) s[k] += h * h / 12 * s[S1];
   return s;
 }
-
-}  // namespace
 
 QuadricMoments::QuadricMoments(device::Device& device, const Rays& rays)
     : device_(&device),

@@ -20,6 +20,10 @@ struct Rays {
   std::vector<double> lower, upper;    ///< ends of each
 };
 
+/// Moments of h x h columns from the sums over the lines in their middles, in the order and with the factors
+/// of quadric_moments.cl.
+[[nodiscard]] Moments columns_of_lines(Moments s, double h);
+
 /// The support oracle h(q) = min q . s over all fillings of the intervals, with its first and second
 /// derivatives; compiled once, for a fixed set of intervals. [docs/quadric.md]
 class QuadricMoments {

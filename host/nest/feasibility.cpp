@@ -8,6 +8,7 @@
 #include "nest/exact.hpp"
 #include "nest/hybrid.hpp"
 #include "nest/peel.hpp"
+#include "nest/scatter.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel::nest {
@@ -28,7 +29,14 @@ std::unique_ptr<Feasibility> make_plain(device::Device&, const Nesting& nesting,
   return std::make_unique<Way>(nesting);
 }
 
-constexpr std::array ways{Entry{"peel", make_on<Peel>}, Entry{"envelope", make_on<Envelope>},
+/// By triangles where the device runs many items at once and holds every pixel of both views, else by bands.
+std::unique_ptr<Feasibility> make_envelope(device::Device& device, const Nesting& nesting, int resolution) {
+  if (device.info().gpu && Scatter::bytes(resolution) < 0.5 * double(device.info().memory_bytes))
+    return std::make_unique<Scatter>(device, nesting, resolution);
+  return std::make_unique<Envelope>(device, nesting, resolution);
+}
+
+constexpr std::array ways{Entry{"peel", make_on<Peel>}, Entry{"envelope", make_envelope},
                           Entry{"exact", make_plain<Exact>}, Entry{"hybrid", make_plain<Hybrid>}};
 
 static_assert(int(Fault::none) == NEST_GOOD && int(Fault::outside) == NEST_OUTSIDE &&

@@ -4,19 +4,16 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <limits>
 
 #include "device/program.hpp"
 #include "error.hpp"
+#include "nest/depth_key.hpp"
 
 namespace kreisel::nest {
 namespace {
 
 constexpr cl_uint behind_all = 0xffffffffu;
-
-/// The depth that a key of nest_peel.cl stands for.
-float depth_of(cl_uint key) { return std::bit_cast<float>(key & 0x80000000u ? key & 0x7fffffffu : ~key); }
 
 void require_memory(const device::Device& device, std::size_t pixels, int resolution) {
   const double bytes = 2.0 * double(pixels) * (4 * sizeof(cl_uint) + 1);

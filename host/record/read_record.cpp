@@ -64,7 +64,7 @@ void read_solve(const Group& group, RecordSummary& summary, const std::string& n
   // Early records of this schema have neither these nor moved_voxels.
   if (group.has("scope")) summary.scope = group.text("scope");
   if (group.has("infeasibility")) summary.infeasibility = group.text("infeasibility");
-  if (group.has("refinements")) {
+  if (group.contains("refinements")) {
     const auto rounds = group.read("refinements");
     summary.rounds = rounds.shape.rows;
     constexpr std::size_t along = 4;

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <memory>
 
 #include "body/test_meshes.hpp"
+#include "formulation/few_rays.hpp"
 #include "formulation/odd_grid.hpp"
 #include "formulation/ray_moments.hpp"
 #include "test_device.hpp"
@@ -33,9 +36,18 @@ Moments random_quadric(Random& random) {
   return q;
 }
 
-class QuadricMomentsOn : public testing::TestWithParam<bool> {
+enum class Where { standard, single, host };
+
+class QuadricMomentsOn : public testing::TestWithParam<Where> {
  protected:
-  device::Device& device() { return GetParam() ? single_device() : test_device(); }
+  using Oracle = std::function<Support(const Moments&, bool)>;
+  static device::Device& device() { return GetParam() == Where::single ? single_device() : test_device(); }
+  static Oracle oracle_of(const Rays& rays) {
+    if (GetParam() == Where::host) return FewRays(rays);
+    return [oracle = std::make_shared<QuadricMoments>(device(), rays)](const Moments& q, bool hessian) {
+      return (*oracle)(q, hessian);
+    };
+  }
   /// A root of q is off by some units of round-off over the slope there; slopes under 1e-3 are rare enough
   /// for random quadrics that a thousand units of the sum cover them.
   double tolerance() { return 1000 * device().unit_roundoff(); }
@@ -46,7 +58,7 @@ TEST_P(QuadricMomentsOn, AgreeWithTheReference) {
     SCOPED_TRACE(n);
     Random random(n);
     const Rays rays = random_intervals(n, random);
-    QuadricMoments oracle(device(), rays);
+    const Oracle oracle = oracle_of(rays);
     for (int trial = 0; trial < 20; ++trial) {
       Moments q = random_quadric(random);
       if (trial % 4 == 1) q[SZZ] = 0;
@@ -70,7 +82,7 @@ TEST_P(QuadricMomentsOn, AgreeWithTheReference) {
 TEST_P(QuadricMomentsOn, OfALeadingCoefficientThatVanishesAreThoseOfThePlane) {
   Random random(5);
   const Rays rays = random_intervals(999, random);
-  QuadricMoments oracle(device(), rays);
+  const Oracle oracle = oracle_of(rays);
   Moments plane = random_quadric(random);
   plane.tail<6>().setZero();
   const Moments want = oracle(plane, false).moments;
@@ -85,7 +97,7 @@ TEST_P(QuadricMomentsOn, OfALeadingCoefficientThatVanishesAreThoseOfThePlane) {
 TEST_P(QuadricMomentsOn, DependOnTheDirectionOfTheQuadricAlone) {
   Random random(6);
   const Rays rays = random_intervals(999, random);
-  QuadricMoments oracle(device(), rays);
+  const Oracle oracle = oracle_of(rays);
   const Moments q = random_quadric(random);
   const Support want = oracle(q, true);
   for (const double scale : {1e-200, 1e-20, 1e20, 1e200}) {
@@ -100,7 +112,7 @@ TEST_P(QuadricMomentsOn, DependOnTheDirectionOfTheQuadricAlone) {
 TEST_P(QuadricMomentsOn, ConstantsTakeAllOrNothing) {
   Random random(7);
   const Rays rays = random_intervals(777, random);
-  QuadricMoments oracle(device(), rays);
+  const Oracle oracle = oracle_of(rays);
   const MomentSums all = reference::quadric_moments(rays, -Moments::Unit(S1));
   EXPECT_LE((oracle(-Moments::Unit(S1), false).moments - all.value).cwiseAbs().maxCoeff(),
             tolerance() * all.abs_sum.maxCoeff());
@@ -114,10 +126,10 @@ TEST_P(QuadricMomentsOn, ConstantsTakeAllOrNothing) {
 TEST_P(QuadricMomentsOn, AreTheSameBitForBitEveryTime) {
   Random random(9);
   const Rays rays = random_intervals(5003, random);
-  QuadricMoments oracle(device(), rays), another(device(), rays);
+  const Oracle oracle = oracle_of(rays), another = oracle_of(rays);
   const Moments q = random_quadric(random);
   const Support first = oracle(q, true);
-  for (QuadricMoments* again : {&oracle, &another}) {
+  for (const Oracle* again : {&oracle, &another}) {
     const Support got = (*again)(q, true);
     EXPECT_EQ(got.moments, first.moments);
     EXPECT_EQ(got.hessian, first.hessian);
@@ -127,14 +139,18 @@ TEST_P(QuadricMomentsOn, AreTheSameBitForBitEveryTime) {
 TEST_P(QuadricMomentsOn, OfNoRaysAreZero) {
   Rays none;
   none.grid = odd_grid();
-  QuadricMoments oracle(device(), none);
+  const Oracle oracle = oracle_of(none);
   const Support got = oracle(-Moments::Unit(S1), true);
   EXPECT_EQ(got.moments, Moments(Moments::Zero()));
   EXPECT_EQ(got.hessian, Matrix10(Matrix10::Zero()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Precision, QuadricMomentsOn, testing::Bool(),
-                         [](const auto& i) { return i.param ? "single" : "standard"; });
+INSTANTIATE_TEST_SUITE_P(Precision, QuadricMomentsOn,
+                         testing::Values(Where::standard, Where::single, Where::host), [](const auto& i) {
+                           return i.param == Where::standard ? "standard"
+                                  : i.param == Where::single ? "single"
+                                                             : "host";
+                         });
 
 TEST(QuadricHessian, IsTheDerivativeOfTheMoments) {
   Random random(8);

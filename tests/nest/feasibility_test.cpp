@@ -7,6 +7,7 @@
 #include "nest/known_answers.hpp"
 #include "nest/peel.hpp"
 #include "nest/random_placements.hpp"
+#include "nest/scatter.hpp"
 #include "refusal.hpp"
 #include "test_device.hpp"
 
@@ -36,16 +37,19 @@ TEST(Feasibility, PeelingAndEnvelopesAgreeOnEveryPixelOfRandomPlacements) {
       const Nesting nesting(shapes[outer], shapes[inner]);
       Peel peel(test_device(), nesting, 61);
       Envelope envelope(test_device(), nesting, 61);
+      Scatter scatter(test_device(), nesting, 61);
       for (int k = 0; k < 8; ++k) {
         const Placement placement = random_placement(random, k % 4 == 0);
         const FaultMap peeled = peel.map(placement), drawn = envelope.map(placement);
         ASSERT_EQ(peeled.size(), drawn.size());
+        ASSERT_EQ(scatter.map(placement), drawn);
         for (std::size_t i = 0; i < drawn.size(); ++i) {
           ASSERT_EQ(peeled[i] != NEST_GOOD, drawn[i] != NEST_GOOD) << outer << " " << inner << " pixel " << i;
           (drawn[i] != NEST_GOOD ? bad : good)++;
         }
         const Verdict by_peel = peel.check(placement), by_envelope = envelope.check(placement);
         EXPECT_EQ(by_peel.valid(), by_envelope.valid());
+        EXPECT_EQ(to_string(scatter.check(placement), nesting), to_string(by_envelope, nesting));
         valid += by_peel.valid();
       }
     }

@@ -247,6 +247,17 @@ TEST_F(Record, WithoutACertificateHasNone) {
   EXPECT_FALSE(s.bound || s.gap);
 }
 
+TEST_F(Record, OfAnOctreeTellsItsRoundsAndTheCellsAlongTheVoid) {
+  RunResult r = made_by_hand();
+  r.outcome.refinements.resize(2);
+  r.outcome.refinements[0].cells.along = 11;
+  r.outcome.refinements[1].cells.along = 407;
+  write_record(folder_.path / "run.h5", r);
+  const RecordSummary s = read_record(folder_.path / "run.h5");
+  EXPECT_EQ(s.rounds, 2u);
+  EXPECT_EQ(s.along_voids, 407u);
+}
+
 TEST_F(Record, IsTheSameFileForTheSameResult) {
   const auto bytes = [](const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
