@@ -15,7 +15,7 @@
 #include <optional>
 
 #include "apps/bench/commands.hpp"
-#include "apps/bench/outputs.hpp"
+#include "apps/shared/outputs.hpp"
 #include "device/device.hpp"
 #include "error.hpp"
 #include "experiment/data_folder.hpp"
