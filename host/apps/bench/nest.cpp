@@ -4,8 +4,8 @@
 
 #include "apps/bench/commands.hpp"
 #include "apps/bench/nest_print.hpp"
-#include "apps/bench/outputs.hpp"
-#include "apps/bench/step_line.hpp"
+#include "apps/shared/outputs.hpp"
+#include "apps/shared/step_line.hpp"
 #include "error.hpp"
 #include "file/write_text.hpp"
 #include "nest/baseline.hpp"
