@@ -88,7 +88,7 @@ def cut_face(cut, shapes, half):
     """Points of the outer shape's cut, without the hole that the inner one leaves through."""
     normal = unit(cut["normal"])
     across = unit(np.cross(normal, np.eye(3)[np.abs(normal).argmin()]))
-    raster = Raster(cut["point"], across, np.cross(normal, across), shapes[0].reshape(-1, 3), PIXELS)
+    raster = Raster(cut["point"], across, np.cross(normal, across), shapes[0].reshape(-1, 3), 2 * PIXELS)  # finer than the picture: no gaps
     sign = 1 if half == "plus" else -1
     hole = raster.shadow(shapes[1], lambda p: sign * ((p - cut["point"]) @ normal) >= 0, np.asarray(cut[half]))
     return raster.centres(raster.inside(shapes[0]) & ~hole)
@@ -147,9 +147,7 @@ def draw_section(axes, found):
         shown[~inside] = np.nan
         axes.plot(*shown.T, color=style.INK, linewidth=1.0 if k == 0 else 0.6, linestyle=(0, (5, 3)))
     axes.set(aspect="equal")
-    axes.grid(False)
-    axes.set_xticks([])
-    axes.set_yticks([])
+    axes.axis("off")
 
 
 def draw(picture, found, bottom, height):
