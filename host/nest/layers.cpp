@@ -49,7 +49,7 @@ struct Measures {
 
 /// How deep the deepest point of a solid is: of a lattice, and uphill from there. Nesting units.
 double depth_of(const Nesting& nesting) {
-  constexpr int lattice = 4096;
+  constexpr int lattice = 512;
   const std::vector<Vec3> deep = deep_points(nesting, lattice);
   if (deep.empty()) return 0;
   const SurfaceDistance distance(nesting.outer());
@@ -235,7 +235,8 @@ double clearance(const TriangleMesh& outer, const TriangleMesh& inner, const Cut
       const Vec3& removal = cut.removal(half);
       const double way = cut.beyond(half, from) / std::abs(cut.normal.dot(removal));
       for (double t = 0;;) {
-        const double d = distance(from - std::min(t, way) * removal, far);
+        // No farther than is worth knowing: distances to far surfaces are dear.
+        const double d = distance(from - std::min(t, way) * removal, std::min(far, least[b] + 8 * step));
         least[b] = std::min(least[b], d);
         if (t >= way) break;
         t += std::max(step, d - least[b]);  // nothing on the next d - least can be nearer than the least
