@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace kreisel::bench {
+namespace kreisel::apps {
 
 /// Before minutes of work, not after: can the file be written? Empty and "-" (standard output) are fine.
 /// @param option  as the user gave it, for the message
@@ -13,4 +13,4 @@ void require_writable(const std::string& file, const char* option);
 /// Sends out what standard output holds back. @throws InputError  it takes no more, as a full disk does
 void flush_output();
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::apps

@@ -1,4 +1,4 @@
-#include "apps/bench/outputs.hpp"
+#include "apps/shared/outputs.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 
 #include "error.hpp"
 
-namespace kreisel::bench {
+namespace kreisel::apps {
 
 void require_writable(const std::string& file, const char* option) {
   if (file.empty() || file == "-") return;
@@ -32,4 +32,4 @@ void flush_output() {
       fmt::format("standard output: {}; expected one that takes what is printed", std::strerror(errno)));
 }
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::apps
