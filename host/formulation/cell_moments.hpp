@@ -35,7 +35,7 @@ class CellMoments {
  public:
   /// @param domain  is kept by reference
   /// @param few     columns, those of all cubes counted, that the host sums sooner than a launch takes
-  CellMoments(device::Device& device, const Columns& domain, std::size_t few = 16'000);
+  CellMoments(device::Device& device, const Columns& domain, std::size_t few = 32'000);
 
   /// @param cubes  edges up to Cube::most_edge, corners inside the grid
   [[nodiscard]] std::vector<CubeSums> operator()(std::span<const Cube> cubes);
