@@ -76,7 +76,7 @@ Tables nest_landscape_tables(const std::vector<RecordedRun>& runs, const std::op
                fmt::format("{}", map.rotations), fmt::format("{:.3g}", placements),
                fmt::format("{:.0f}", map.descents), Cell::of(map.seconds, "{:.2f}"),
                Cell::of(map.seconds * (full / centroids) * (full / map.rotations), "{:.0f}"),
-               Cell::of(run.nest->scale, "{:.4f}"), Cell::of(run.nest->certified_scale, "{:.4f}"),
+               Cell::of(map.scale, "{:.4f}"), Cell::of(run.nest->certified_scale, "{:.4f}"),
                Cell::of(map.degrees, "{:.2f}"), run.nest->device, run.nest->commit});
   }
   return {{{"", std::move(sheet), notes}},

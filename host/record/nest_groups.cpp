@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "error.hpp"
 
 namespace kreisel {
@@ -93,6 +95,7 @@ LandscapeSummary read_landscape(const Group& group) {
   summary.inside = static_cast<double>(group.integer("inside"));
   summary.descents = static_cast<double>(group.integer("descents"));
   summary.seconds = group.real("seconds");
+  if (!scale.values.empty()) summary.scale = std::ranges::max(scale.values);
   summary.degrees = group.real("degrees");
   summary.x = best.at(0);
   summary.y = best.at(1);

@@ -33,7 +33,7 @@ struct LayerSummary {
 struct LandscapeSummary {
   int nx = 0, ny = 0, rotations = 0;
   double inside = 0, descents = 0, seconds = 0;
-  double x = 0, y = 0, degrees = 0;  ///< of the best
+  double scale = 0, x = 0, y = 0, degrees = 0;  ///< of the best
 };
 
 /// What tables and `bench show` need of a nesting's record.

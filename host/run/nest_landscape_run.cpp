@@ -11,7 +11,7 @@
 namespace kreisel {
 namespace {
 
-constexpr int pixels = 1024, least_directions = 4096, lanes = 64;
+constexpr int pixels = 1024, least_directions = 16384, lanes = 64;
 
 /// As many rays as make all rotations shifts by whole rays, and a few thousand at least.
 int directions_for(int rotations) {

@@ -67,6 +67,7 @@ TEST_F(BenchLayers, MapsHowLargeOutlinesNestAndCertifiesTheBest) {
   ASSERT_TRUE(record.landscape);
   EXPECT_EQ(record.landscape->nx, 4);
   EXPECT_EQ(record.landscape->inside, 16);
+  EXPECT_EQ(record.landscape->scale, j.at("scale").get<double>());
   EXPECT_TRUE(draws("nest_landscape", "map.h5"));
 }
 
