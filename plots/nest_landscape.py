@@ -63,7 +63,8 @@ def figure(found):
     picture.colorbar(image, ax=axes, label="largest scale over all rotations", shrink=0.85)
     axes.set_title(f"best {scale.max():.4f}, turned by {np.degrees(angle):.2f} degrees")
     degrees = np.where(scale > 0, 360 / found["rotations"] * found["rotation"], np.nan)
-    image = turned.imshow(degrees, origin="lower", extent=extent, cmap="twilight", vmin=0, vmax=360)
+    image = turned.imshow(degrees, origin="lower", extent=extent, cmap="twilight", vmin=0, vmax=360,
+                          interpolation="nearest")  # no colours between 359 and 0 degrees
     picture.colorbar(image, ax=turned, label="rotation that reaches it, degrees", shrink=0.85, ticks=range(0, 361, 90))
     turned.set_title("its rotation")
     for each in (axes, turned):
