@@ -53,6 +53,8 @@ int run(int (*dispatch)(int, char**), int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return say_memory_ran_out();
   } catch (const std::exception& error) {
+    // What is printed goes out whenever a buffer is full, and throws then what fmt throws.
+    if (std::ferror(stdout)) return say(output_error(), bad_input);
     return say(fmt::format("internal error: {}", error.what()), 1);
   }
 }
@@ -78,7 +80,9 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error) {
   std::vector<std::string> extras;
   if (dynamic_cast<const CLI::ExtrasError*>(&error)) extras = used->remaining(true);
   if (extras.empty()) return fmt::format("{} {}", error.what(), help);
-  const std::string& extra = extras.front();
+  // What follows an unknown option is unknown, too: the option is the one to name.
+  const auto option = std::ranges::find_if(extras, [](const std::string& e) { return e.starts_with('-'); });
+  const std::string& extra = option != extras.end() ? *option : extras.front();
   std::vector<std::string> names;
   for (const CLI::Option* known : used->get_options()) names.push_back(known->get_name());
   for (const CLI::App* sub : used->get_subcommands(nullptr)) names.push_back(sub->get_name());
