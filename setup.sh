@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that Kreisel builds and runs with; skips what is there, and uses sudo only when
 # not root.   ./setup.sh          what is needed to build, run, test and plot
-#             ./setup.sh --ci     and what only CI needs (formatting)
+#             ./setup.sh --ci     and what only CI needs (formatting, a slicer, a browser)
 set -euo pipefail
 
 packages=(
@@ -12,13 +12,16 @@ packages=(
   libarchive-dev                                                      # unpacks the real meshes
   coinor-libipopt-dev libopenblas0-pthread                            # Ipopt with MUMPS; OpenBLAS speeds MUMPS up
   libpagmo-dev                                                        # swarms to compare ours with
+  libopenvdb-dev                                                      # offset surfaces
   libgtest-dev libbenchmark-dev
   libcgal-demo                                                        # real meshes (18 MB) for tests and experiments; data only
   python3-h5py python3-matplotlib                                     # plots and the records' tests
+  libjs-three                                                         # the pages of `design --html`
+  admesh libcgal-dev                                                  # look at written meshes, in tests alone
 )
 case "${1:-}" in
   "") ;;
-  --ci) packages+=(clang-format) ;;
+  --ci) packages+=(clang-format prusa-slicer chromium) ;;              # slicer and browser: 800 MB, for two tests
   *) echo "setup.sh: unknown option '$1'; expected --ci or nothing" >&2; exit 2 ;;
 esac
 

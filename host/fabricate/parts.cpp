@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "body/mesh_moments.hpp"
-#include "fabricate/quadric_cavity.hpp"
 #include "fabricate/void_surface.hpp"
 #include "mesh/separate_edges.hpp"
 
@@ -36,13 +35,13 @@ Inside inside_of(const Body& body, const VoxelSet& heavy) {
   return inside;
 }
 
-Inside inside_of(const Body& body, double wall, const Moments& q, double cell) {
+Inside inside_of(const Body& body, const CavityMesher& mesh, const Moments& q) {
   const Moments outside_fill = body.heavy_voids() ? Moments(-q) : q;
   Inside inside;
-  inside.voids = quadric_cavity(body, wall, outside_fill, cell);
+  inside.voids = mesh(outside_fill);
   if (body.one_material()) return inside;
-  inside.interior = quadric_cavity(body, wall, Moments::Unit(S1), cell);
-  inside.fill = turned_over(quadric_cavity(body, wall, -outside_fill, cell));
+  inside.interior = mesh(Moments::Unit(S1));
+  inside.fill = turned_over(mesh(-outside_fill));
   return inside;
 }
 
@@ -53,6 +52,14 @@ Moments moments_of(const Body& body, const Inside& inside) {
   Moments s = body.solid - body.void_density / body.density * voids;
   if (body.one_material()) return s + voids;
   return s + of(inside.interior) + body.interior_density / body.density * of(inside.fill);
+}
+
+Moments moments_of(const Body& body, const std::vector<MaterialPart>& parts) {
+  Moments s = body.added;
+  for (const MaterialPart& part : parts)
+    for (const TriangleMesh& surface : part.surfaces)
+      s += part.density / body.density * reference::mesh_moments(to_body(body.frame, surface)).value;
+  return s;
 }
 
 std::vector<MaterialPart> parts_of(const Body& body, const Inside& inside) {

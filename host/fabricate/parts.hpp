@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "body/body.hpp"
+#include "fabricate/quadric_cavity.hpp"
 #include "formulation/voxel_set.hpp"
 
 namespace kreisel {
@@ -29,12 +30,15 @@ struct MaterialPart {
 [[nodiscard]] Inside inside_of(const Body& body, const VoxelSet& heavy);
 
 /// An interior of the exact domain, cut by a quadric that is negative where the heavier material goes. The
-/// surfaces are meshed one by one (quadric_cavity.hpp, which see for wall and cell) and differ where they
-/// meet by what the mesh differs from the quadric.
-[[nodiscard]] Inside inside_of(const Body& body, double wall, const Moments& q, double cell);
+/// surfaces are meshed one by one and differ where they meet by what the mesh differs from the quadric.
+/// @param mesh  of the same body
+[[nodiscard]] Inside inside_of(const Body& body, const CavityMesher& mesh, const Moments& q);
 
 /// Total moments, body frame and units; the voids hold their filling, if any.
 [[nodiscard]] Moments moments_of(const Body& body, const Inside& inside);
+
+/// The same of solids in model coordinates, mm, with what is added to the body.
+[[nodiscard]] Moments moments_of(const Body& body, const std::vector<MaterialPart>& parts);
 
 /// The solids to make: the part with its cavities, or a shell and an interior; and a filling of the voids.
 /// Those without a surface are left out. Model coordinates, mm.

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <mutex>
+#include <optional>
 
 #include "domain/exact.hpp"
 #include "error.hpp"
-#include "mesh/distance.hpp"
-#include "mesh/march.hpp"
 
 namespace kreisel {
 namespace {
@@ -28,6 +29,16 @@ class Quadric {
 
   [[nodiscard]] double operator()(const Vec3& p) const { return c_ + b_.dot(p) + p.dot(a_ * p); }
   [[nodiscard]] Vec3 gradient(const Vec3& p) const { return b_ + 2 * a_ * p; }
+
+  /// The p + t d nearest to p with q = 0; nothing when that line misses the quadric.
+  [[nodiscard]] std::optional<Vec3> along(const Vec3& p, const Vec3& d) const {
+    const double c = (*this)(p), half_b = gradient(p).dot(d) / 2, a = d.dot(a_ * d);
+    const double square = half_b * half_b - a * c;
+    if (square < 0) return std::nullopt;
+    const double r = half_b > 0 ? half_b + std::sqrt(square) : half_b - std::sqrt(square);
+    if (r == 0) return std::nullopt;
+    return Vec3(p - c / r * d);  // the smaller root in size
+  }
 
   /// The first t in (0, 1] where q(p + t d) falls below zero; 1 where it does not. q(p) >= 0.
   [[nodiscard]] double exit(const Vec3& p, const Vec3& d) const {
@@ -50,7 +61,7 @@ class Quadric {
 
 /// Marks the points of the lattice with one parity (0: corners, 1: centres) that are deep enough inside.
 void mark_depth(const Body& body, double depth, const CubicLattice& lattice, int parity,
-                std::vector<std::uint8_t>& inside) {
+                std::vector<bool>& inside) {
   const Index first = Index::Constant(parity), n = (lattice.n() - first + Index::Ones()) / 2;
   Grid grid;
   grid.h = lattice.cell();
@@ -60,7 +71,7 @@ void mark_depth(const Body& body, double depth, const CubicLattice& lattice, int
     const auto at = [&](double z) { return (z - lattice.point(first)[2]) / grid.h; };
     const int k0 = std::max(0, static_cast<int>(std::ceil(at(run.z0)))),
               k1 = std::min(n[2] - 1, static_cast<int>(std::floor(at(run.z1))));
-    for (int k = k0; k <= k1; ++k) inside[lattice.id(first + 2 * Index(run.ix, run.iy, k))] = 1;
+    for (int k = k0; k <= k1; ++k) inside[lattice.id(first + 2 * Index(run.ix, run.iy, k))] = true;
   }
 }
 
@@ -104,38 +115,91 @@ double stay_deep(const SurfaceDistance& distance, const TriangleMesh& mesh, cons
   return end;
 }
 
-}  // namespace
+/// Where the quadric and the surface `wall` deep meet in the plane of a face: along the quadric, from a point
+/// on it to where the depth is the wall.
+std::optional<Vec3> meeting_point(const Quadric& quadric, const SurfaceDistance& distance,
+                                  const std::array<Vec3, 3>& face, const Vec3& on_quadric,
+                                  const Vec3& on_offset, double wall, double tolerance) {
+  const Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]).normalized();
+  Vec3 across = quadric.gradient(on_quadric);
+  across -= normal.dot(across) * normal;
+  const Vec3 along = on_offset - on_quadric;
+  const auto at = [&](double t) { return quadric.along(on_quadric + t * along, across); };
+  const double reach = wall + 2 * along.norm();
+  const auto room = [&](double t) {
+    const auto p = at(t);
+    return p ? distance(*p, reach) - wall : -reach;
+  };
+  double end = 1;
+  while (room(end) > 0)
+    if (++end > 3) return std::nullopt;
+  return room(0) > 0 ? at(zero(room, end, tolerance)) : std::nullopt;
+}
 
-TriangleMesh quadric_cavity(const Body& body, double wall, const Moments& q, double cell) {
+/// Deeper than the wall by so much that facets between vertices at this depth keep it.
+double depth_for(const Body& body, double wall, double cell) {
   if (!(cell > 0 && cell <= wall))
     throw InputError(fmt::format(
         "a wall of {:.3g} cells of the cavity's mesh; expected at least one (a finer mesh)", wall / cell));
-  const Box box = bounding_box(body.local);
-  if (const double cells = box.extent().maxCoeff() / cell; cells > Grid::most_cells)
+  if (const double cells = bounding_box(body.local).extent().maxCoeff() / cell; cells > Grid::most_cells)
     throw InputError(
         fmt::format("a cavity's mesh of {:.0f} cells along the longest side; expected at most {}", cells,
                     Grid::most_cells));
+  return std::sqrt(wall * wall + cell * cell / 3);
+}
+
+}  // namespace
+
+CavityMesher::CavityMesher(const Body& body, double wall, double cell)
+    : body_(body),
+      depth_(depth_for(body, wall, cell)),
+      lattice_(bounding_box(body.local), cell),
+      deep_(lattice_.size()),
+      distance_(body.local) {
+  for (const int parity : {0, 1}) mark_depth(body, depth_ + margin * cell, lattice_, parity, deep_);
+}
+
+TriangleMesh CavityMesher::operator()(const Moments& q) const {
   const Quadric quadric(q);
-  const CubicLattice lattice(box, cell);
-  std::vector<std::uint8_t> inside(lattice.size());
-  for (const int parity : {0, 1}) mark_depth(body, wall + margin * cell, lattice, parity, inside);
-  lattice.for_each([&](const Index& at) {
-    std::uint8_t& in = inside[lattice.id(at)];
-    if (!in) return;
-    const Vec3 p = lattice.point(at);
-    in = quadric(p) > margin * cell * quadric.gradient(p).norm();
+  const double cell = lattice_.cell(), tolerance = 1e-7 * cell;
+  std::vector<std::uint8_t> inside(lattice_.size());
+  lattice_.for_each([&](const Index& at) {
+    const std::size_t id = lattice_.id(at);
+    if (!deep_[id]) return;
+    const Vec3 p = lattice_.point(at);
+    inside[id] = quadric(p) > margin * cell * quadric.gradient(p).norm();
   });
 
-  const SurfaceDistance distance(body.local);
-  TriangleMesh mesh = march(lattice, inside, [&](const Index& in, const Index& out) -> Vec3 {
-    const Vec3 p = lattice.point(in), d = lattice.point(out) - p;
+  std::unordered_map<std::uint64_t, double> fresh;
+  std::mutex writing;
+  TwoPieces surface;
+  surface.place = [&](const Index& in, const Index& out) -> TwoPieces::Point {
+    const Vec3 p = lattice_.point(in), d = lattice_.point(out) - p;
     // An edge is shorter than two walls, so it cannot pass through the skin and be as deep again outside it.
     // Not into the last bit before the other end: that is no deeper for the end being so.
     const double end = std::min(quadric.exit(p, d), 1 - margin);
-    return p + std::max(margin / 2, stay_deep(distance, body.local, p, d, end, wall, 1e-7 * cell)) * d;
-  });
+    const std::uint64_t edge = std::uint64_t(lattice_.id(in)) << 32 | lattice_.id(out);
+    const auto known = reached_.find(edge);
+    const double deep = known != reached_.end()
+                            ? std::min(end, known->second)
+                            : stay_deep(distance_, body_.local, p, d, end, depth_, tolerance);
+    if (deep < end && known == reached_.end()) {
+      const std::scoped_lock lock(writing);
+      fresh.emplace(edge, deep);
+    }
+    return {p + std::max(margin / 2, deep) * d, deep < end};
+  };
+  surface.meet = [&](const std::array<Vec3, 3>& face, const Vec3& on_quadric, const Vec3& on_offset) {
+    return meeting_point(quadric, distance_, face, on_quadric, on_offset, depth_, tolerance);
+  };
+  TriangleMesh mesh = march(lattice_, inside, surface);
+  reached_.merge(fresh);
   for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);  // the void's boundary seen from inside it
   return mesh;
+}
+
+TriangleMesh quadric_cavity(const Body& body, double wall, const Moments& q, double cell) {
+  return CavityMesher(body, wall, cell)(q);
 }
 
 }  // namespace kreisel

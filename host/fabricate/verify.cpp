@@ -28,7 +28,7 @@ std::vector<WrittenMaterial> write_parts(const std::filesystem::path& path,
     return written;
   }
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0)
+    if (parts[i].name != "part" && parts[i].name != "shell")
       written[i].file = path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), parts[i].name,
                                                          path.extension().string());
     write_mesh(written[i].file, parts[i].surfaces);

@@ -26,8 +26,8 @@ struct WrittenPart {
   Verdict verdict;
 };
 
-/// A file a material: the first as `path` says, the others as NAME-interior.stl and NAME-filling.stl beside
-/// it. 3MF takes them all in one file, as objects with their names.
+/// A file each: part or shell as `path` says, the others as NAME-interior.stl, NAME-filling.stl or
+/// NAME-upper.stl beside it. 3MF takes them all in one file, as objects with their names.
 /// @throws InputError  see write_mesh()
 [[nodiscard]] std::vector<WrittenMaterial> write_parts(const std::filesystem::path& path,
                                                        const std::vector<MaterialPart>& parts);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -109,6 +110,14 @@ std::string list_of(const std::vector<double>& volumes) {
 
 }  // namespace
 
+std::vector<Vec3> cut_directions(const Body& body) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia_about_centre(body.solid));
+  std::vector<Vec3> directions = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  for (int k = 0; k < 3; ++k)
+    directions.emplace_back(body.frame.rotation.transpose() * principal.eigenvectors().col(k));
+  return directions;
+}
+
 Voids find_voids(const std::vector<TriangleMesh>& parts, std::span<const Vec3> directions) {
   const TriangleMesh mesh = joined(parts, "the part");
   const std::vector<Shell> all = shells(mesh);
@@ -136,12 +145,35 @@ Voids find_voids(const std::vector<TriangleMesh>& parts, std::span<const Vec3> d
   return voids;
 }
 
+TriangleMesh without_small_shells(const TriangleMesh& cavity, double least_volume) {
+  const std::vector<Shell> all = shells(cavity);
+  const auto small = [&](const Shell& shell) { return std::abs(shell.volume) < least_volume; };
+  if (std::ranges::none_of(all, small)) return cavity;
+  TriangleMesh kept;
+  std::vector<std::uint32_t> number(cavity.vertices.size(), std::numeric_limits<std::uint32_t>::max());
+  for (const Shell& shell : all) {
+    if (small(shell)) continue;
+    for (const std::uint32_t t : shell.triangles) {
+      Triangle& triangle = kept.triangles.emplace_back(cavity.triangles[t]);
+      for (std::uint32_t& v : triangle) {
+        if (number[v] == std::numeric_limits<std::uint32_t>::max()) {
+          number[v] = static_cast<std::uint32_t>(kept.vertices.size());
+          kept.vertices.push_back(cavity.vertices[v]);
+        }
+        v = number[v];
+      }
+    }
+  }
+  return kept;
+}
+
 std::string Voids::text() const {
   if (pieces.empty()) return "none";
+  const auto shown = [](double component) { return std::round(1e3 * component) / 1e3 + 0.0; };  // no -0
   std::vector<std::string> planes;
   for (const Cut& cut : cuts)
-    planes.push_back(fmt::format("{:.3g},{:.3g},{:.3g} . x = {:.4g}", cut.normal[0] + 0.0,
-                                 cut.normal[1] + 0.0, cut.normal[2] + 0.0, cut.offset));
+    planes.push_back(fmt::format("{},{},{} . x = {:.4g}", shown(cut.normal[0]), shown(cut.normal[1]),
+                                 shown(cut.normal[2]), cut.offset));
   return fmt::format("{} void{} of {} mm^3, opened by {} planar cut{}: {}", pieces.size(),
                      pieces.size() == 1 ? "" : "s", list_of(pieces), cuts.size(), cuts.size() == 1 ? "" : "s",
                      fmt::join(planes, "; "));

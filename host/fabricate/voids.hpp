@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
+#include "body/body.hpp"
 
 namespace kreisel {
 
@@ -26,6 +26,10 @@ struct Voids {
   [[nodiscard]] std::string text() const;
 };
 
+/// Across what a part may be cut: the model's own axes, and the principal ones of the solid; model
+/// coordinates.
+[[nodiscard]] std::vector<Vec3> cut_directions(const Body& body);
+
 /// Counts the shells of a part's surface: those that face inward bound the voids, those that face outward
 /// inside a void are islands. In voxels whose surface is a manifold these are the pieces that hang together
 /// by faces.
@@ -37,5 +41,8 @@ struct Voids {
 /// @param parts       the outer surface and the cavities, as one part (normals out of the material)
 /// @param directions  not zero, at least one where there is a void
 [[nodiscard]] Voids find_voids(const std::vector<TriangleMesh>& parts, std::span<const Vec3> directions);
+
+/// The surfaces of a cavity that enclose at least so much; what is smaller is no void any more, or no island.
+[[nodiscard]] TriangleMesh without_small_shells(const TriangleMesh& cavity, double least_volume);
 
 }  // namespace kreisel

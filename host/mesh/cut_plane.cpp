@@ -29,7 +29,8 @@ double clear_height(const TriangleMesh& mesh, double height) {
 
 class Cut {
  public:
-  Cut(const TriangleMesh& solid, double height) : solid_(solid), height_(height) {}
+  Cut(const TriangleMesh& solid, double height, const std::function<Vec3(const Vec3&)>& round)
+      : solid_(solid), height_(height), round_(round) {}
 
   /// What lies above, open; and of its rim the edges as the cap runs along them.
   void keep_above() {
@@ -45,11 +46,13 @@ class Cut {
       const std::uint32_t a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
       const std::uint32_t ab = crossing(a, b), ac = crossing(a, c);
       if (alone) {
+        if (ab == ac) continue;
         out.triangles.push_back({kept(a), ab, ac});
         rim[ac] = ab;
       } else {
         const std::uint32_t kept_b = kept(b), kept_c = kept(c);
         out.triangles.push_back({ab, kept_b, kept_c});
+        if (ab == ac) continue;
         out.triangles.push_back({ab, kept_c, ac});
         rim[ab] = ac;
       }
@@ -74,13 +77,19 @@ class Cut {
       const Vec3 &low = solid_.vertices[ends.first], &high = solid_.vertices[ends.second];
       Vec3 at = low + (height_ - low[2]) / (high[2] - low[2]) * (high - low);
       at[2] = height_;
-      out.vertices.push_back(at);
+      if (round_) {
+        at = round_(at);
+        entry->second = rounded_.try_emplace({at[0], at[1], at[2]}, entry->second).first->second;
+      }
+      if (entry->second == out.vertices.size()) out.vertices.push_back(at);
     }
     return entry->second;
   }
 
   const TriangleMesh& solid_;
   double height_;
+  const std::function<Vec3(const Vec3&)>& round_;
+  std::map<std::array<double, 3>, std::uint32_t> rounded_;
   std::map<std::uint32_t, std::uint32_t> kept_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> crossings_;
 };
@@ -115,23 +124,33 @@ void add_hole(TriangleMesh& mesh, const Loop& ring, double depth) {
 }  // namespace
 
 TriangleMesh above_plane(const TriangleMesh& solid, double height, const BlindHole& hole) {
-  Cut cut(solid, clear_height(solid, height));
+  return above_plane(solid, height, std::span(&hole, 1));
+}
+
+TriangleMesh above_plane(const TriangleMesh& solid, double height, std::span<const BlindHole> holes,
+                         const std::function<Vec3(const Vec3&)>& round) {
+  Cut cut(solid, clear_height(solid, height), round);
   cut.keep_above();
   TriangleMesh& out = cut.out;
   if (out.triangles.empty()) return out;
 
   // The cap looks down: seen from above its outer loops run clockwise. In (y, x) they run the other way.
   std::vector<Loop> loops = loops_of(std::move(cut.rim));
-  Loop ring;
-  for (const Point2& p : hole.polygon) {
-    ring.push_back(static_cast<std::uint32_t>(out.vertices.size()));
-    out.vertices.emplace_back(p[0], p[1], cut.height());
+  const std::vector<Loop> sections = loops;
+  std::vector<Loop> rings;
+  for (const BlindHole& hole : holes) {
+    Loop& ring = rings.emplace_back();
+    for (const Point2& p : hole.polygon) {
+      ring.push_back(static_cast<std::uint32_t>(out.vertices.size()));
+      out.vertices.emplace_back(p[0], p[1], cut.height());
+    }
   }
   std::vector<Point2> flat;
   for (const Vec3& v : out.vertices) flat.push_back({v[1], v[0]});
-  if (!ring.empty()) {
+  for (const Loop& ring : rings) {
+    if (ring.empty()) continue;
     const auto around = std::ranges::count_if(
-        loops, [&](const Loop& loop) { return inside_loop(flat, loop, flat[ring.front()]); });
+        sections, [&](const Loop& loop) { return inside_loop(flat, loop, flat[ring.front()]); });
     if (around % 2 == 0)
       throw InputError("a hole in the cut of the mesh would lie in air; expected material all around it");
     loops.push_back(ring);
@@ -159,7 +178,8 @@ TriangleMesh above_plane(const TriangleMesh& solid, double height, const BlindHo
   }
   for (std::vector<Loop>& region : regions)
     for (const Triangle& t : fill_polygon(flat, std::move(region))) out.triangles.push_back(t);
-  if (!ring.empty()) add_hole(out, ring, hole.depth);
+  for (std::size_t i = 0; i < holes.size(); ++i)
+    if (!rings[i].empty()) add_hole(out, rings[i], holes[i].depth);
   return out;
 }
 

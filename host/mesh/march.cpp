@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "mesh/crease.hpp"
 #include "parallel.hpp"
 
 namespace kreisel {
@@ -62,23 +63,59 @@ class Cutter {
   std::unordered_map<std::uint64_t, std::uint32_t> on_edge_;
 };
 
-/// Four tetrahedra stand around every edge from one cube centre to the next.
-void cut_all(const CubicLattice& lattice, Cutter& cutter) {
+/// An edge from one cube centre to the next, around which four tetrahedra stand.
+struct Spoke {
+  Index from;
+  int axis;
+};
+
+/// The corners around a spoke, counter-clockwise seen from its end.
+std::array<Index, 4> ring_of(const Spoke& spoke) {
+  const Index u = Index::Unit((spoke.axis + 1) % 3), v = Index::Unit((spoke.axis + 2) % 3),
+              middle = spoke.from + Index::Unit(spoke.axis);
+  return {middle - u - v, middle + u - v, middle + u + v, middle - u + v};
+}
+
+/// Those of a layer of centres whose tetrahedra are neither all inside nor all outside. Most are one or the
+/// other, so this is all that is done for every place of the lattice: bytes at fixed distances from each
+/// other are added up.
+std::vector<Spoke> crossed(const CubicLattice& lattice, const std::vector<std::uint8_t>& inside, int k) {
   const Index& n = lattice.n();
-  for (int k = 1; k < n.z(); k += 2)
-    for (int j = 1; j < n.y(); j += 2)
-      for (int i = 1; i < n.x(); i += 2)
-        for (int a = 0; a < 3; ++a) {
-          const Index here(i, j, k), next = here + 2 * Index::Unit(a);
-          if (next[a] >= n[a]) continue;
-          const Index u = Index::Unit((a + 1) % 3), v = Index::Unit((a + 2) % 3),
-                      middle = here + Index::Unit(a);
-          const std::array<Index, 4> ring = {middle - u - v, middle + u - v, middle + u + v, middle - u + v};
-          int in = cutter.inside(here) + cutter.inside(next);
-          for (const Index& corner : ring) in += cutter.inside(corner);
-          if (in == 0 || in == 6) continue;
-          for (std::size_t r = 0; r < 4; ++r) cutter.cut({here, next, ring[r], ring[(r + 1) % 4]});
-        }
+  std::array<std::array<std::ptrdiff_t, 5>, 3> steps;
+  const Index first(1, 1, 1);
+  const auto step = [&](const Index& to) {
+    return static_cast<std::ptrdiff_t>(lattice.id(to)) - static_cast<std::ptrdiff_t>(lattice.id(first));
+  };
+  for (int a = 0; a < 3; ++a) {
+    const auto ring = ring_of({first, a});
+    steps[static_cast<std::size_t>(a)] = {step(first + 2 * Index::Unit(a)), step(ring[0]), step(ring[1]),
+                                          step(ring[2]), step(ring[3])};
+  }
+  std::vector<Spoke> found;
+  for (int j = 1; j < n.y(); j += 2)
+    for (int i = 1; i < n.x(); i += 2) {
+      const Index here(i, j, k);
+      const std::uint8_t* at = inside.data() + lattice.id(here);
+      for (int a = 0; a < 3; ++a) {
+        if (here[a] + 2 >= n[a]) continue;
+        int in = *at;
+        for (const std::ptrdiff_t to : steps[static_cast<std::size_t>(a)]) in += at[to];
+        if (in != 0 && in != 6) found.push_back({here, a});
+      }
+    }
+  return found;
+}
+
+void cut_all(const CubicLattice& lattice, const std::vector<std::uint8_t>& inside, Cutter& cutter) {
+  std::vector<std::vector<Spoke>> layers(static_cast<std::size_t>(lattice.n().z() / 2));
+  parallel_for(layers.size(),
+               [&](std::size_t l) { layers[l] = crossed(lattice, inside, 2 * static_cast<int>(l) + 1); });
+  for (const std::vector<Spoke>& layer : layers)
+    for (const Spoke& spoke : layer) {
+      const auto ring = ring_of(spoke);
+      for (std::size_t r = 0; r < 4; ++r)
+        cutter.cut({spoke.from, spoke.from + 2 * Index::Unit(spoke.axis), ring[r], ring[(r + 1) % 4]});
+    }
 }
 
 }  // namespace
@@ -91,20 +128,36 @@ CubicLattice::CubicLattice(const Box& box, double cell) : half_(cell / 2) {
 
 TriangleMesh march(const CubicLattice& lattice, const std::vector<std::uint8_t>& inside,
                    const PlaceOnEdge& place) {
+  return march(lattice, inside,
+               {[&](const Index& in, const Index& out) {
+                  return TwoPieces::Point{place(in, out), false};
+                },
+                {}});
+}
+
+TriangleMesh march(const CubicLattice& lattice, const std::vector<std::uint8_t>& inside,
+                   const TwoPieces& surface) {
   Cutter cutter(lattice, inside);
-  cut_all(lattice, cutter);
+  cut_all(lattice, inside, cutter);
 
   TriangleMesh mesh;
+  std::vector<std::uint8_t> second(cutter.edges.size());
   mesh.vertices.resize(cutter.edges.size());
   constexpr std::size_t chunk = 512;
   parallel_for((mesh.vertices.size() + chunk - 1) / chunk, [&](std::size_t c) {
-    for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, mesh.vertices.size()); ++i)
-      mesh.vertices[i] = place(cutter.edges[i].in, cutter.edges[i].out);
+    for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, mesh.vertices.size()); ++i) {
+      const TwoPieces::Point point = surface.place(cutter.edges[i].in, cutter.edges[i].out);
+      mesh.vertices[i] = point.at;
+      second[i] = point.second;
+    }
   });
 
   const auto& v = mesh.vertices;
+  std::vector<CreasedLoop> creased;
   for (const auto& [a, b, c, d] : cutter.pieces) {
-    if (c == d) {
+    if (second[a] != second[b] || second[a] != second[c] || second[a] != second[d]) {
+      creased.push_back(c == d ? CreasedLoop{a, b, c} : CreasedLoop{a, b, c, d});
+    } else if (c == d) {
       mesh.triangles.push_back({a, b, c});
     } else if ((v[a] - v[c]).squaredNorm() > (v[b] - v[d]).squaredNorm()) {
       mesh.triangles.push_back({a, b, d});
@@ -114,6 +167,14 @@ TriangleMesh march(const CubicLattice& lattice, const std::vector<std::uint8_t>&
       mesh.triangles.push_back({a, c, d});
     }
   }
+  if (creased.empty()) return mesh;
+  // Of the face that two points of its edges lie in, the corners.
+  const auto face_of = [&](std::uint32_t i, std::uint32_t j) {
+    const Cutter::Edge &e = cutter.edges[i], &f = cutter.edges[j];
+    const Index& third = f.in == e.in || f.in == e.out ? f.out : f.in;
+    return std::array<Vec3, 3>{lattice.point(e.in), lattice.point(e.out), lattice.point(third)};
+  };
+  add_creased(mesh, creased, second, face_of, surface.meet);
   return mesh;
 }
 

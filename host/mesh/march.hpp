@@ -1,8 +1,10 @@
 // march.hpp - marching tetrahedra on a body-centred cubic lattice.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
@@ -59,8 +61,28 @@ using PlaceOnEdge = std::function<Vec3(const CubicLattice::Index& in, const Cubi
 /// edge is a cube's edge), and as each cuts the surface in one triangle or quadrilateral at most, the mesh is
 /// closed, a manifold and free of intersections whatever is inside. Triangles face away from the inside; same
 /// input, same mesh.
-/// @param inside  by id; nothing on the rim
+/// @param inside  by id, 1 or 0; nothing on the rim
 [[nodiscard]] TriangleMesh march(const CubicLattice& lattice, const std::vector<std::uint8_t>& inside,
                                  const PlaceOnEdge& place);
+
+/// A surface of two smooth pieces, sharp where they meet. Called from several threads.
+struct TwoPieces {
+  struct Point {
+    Vec3 at;
+    bool second;  ///< which piece it is of
+  };
+  /// As PlaceOnEdge.
+  std::function<Point(const CubicLattice::Index& in, const CubicLattice::Index& out)> place;
+  /// Where both meet in the plane of a triangle of the lattice, given a point of each on the triangle's
+  /// edges; nothing where they do not.
+  std::function<std::optional<Vec3>(const std::array<Vec3, 3>& face, const Vec3& first, const Vec3& second)>
+      meet;
+};
+
+/// The same with vertices also where the crease runs through the tetrahedra's faces, and edges along it. What
+/// is in a tetrahedron stays in it, and where it would run through itself there, its crease stays blunt: the
+/// mesh remains closed, a manifold and free of intersections.
+[[nodiscard]] TriangleMesh march(const CubicLattice& lattice, const std::vector<std::uint8_t>& inside,
+                                 const TwoPieces& surface);
 
 }  // namespace kreisel

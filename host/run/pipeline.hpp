@@ -1,16 +1,12 @@
 // pipeline.hpp - one run from the configuration to the verified part.
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "mesh/triangle_mesh.hpp"
-#include "run/result.hpp"
+#include "run/solved_run.hpp"
 
 namespace kreisel {
-
-/// Told what is under way, for progress on a terminal. May be empty.
-using Progress = std::function<void(const std::string& step)>;
 
 struct RunOutput {
   RunResult result;
@@ -18,10 +14,9 @@ struct RunOutput {
   TriangleMesh outer, cavity;
 };
 
-/// Body -> domain -> formulation -> solver (repeated) -> round -> void surface -> written file -> verdict;
-/// with part = none it ends after the solver.
+/// The optimum (solved_run.hpp), and with part = written the part (make_part.hpp), its file and the verdict.
 ///
-/// @param mesh_file  where the part is written (STL, replaced as a whole); empty: a temporary file, removed
+/// @param mesh_file  where the part is written (replaced as a whole); empty: a temporary file, removed
 /// @throws InputError   bad configuration or mesh; a mesh_file with part = none
 /// @throws Interrupted  before there was a result; nothing is written
 /// @throws MemoryError  the solver has too little

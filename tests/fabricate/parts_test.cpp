@@ -93,7 +93,7 @@ TEST(Parts, OfAQuadricFollowTheHeavySide) {
   for (const Densities& of : densities()) {
     const Body body = block(of);
     // This body's unit of mass is its density times one, for its moments are those of unit density.
-    const Inside inside = inside_of(body, wall, q, cell);
+    const Inside inside = inside_of(body, CavityMesher(body, wall, cell), q);
     const MassModel mass = hollowed(body, interior);
     const double worst = (std::max(of.interior, of.voids) / of.shell + 1) * lost;
     EXPECT_NEAR(moments_of(body, inside)[S1], mass.total(heavy)[S1], worst);

@@ -5,14 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "apps/shared/exit_code.hpp"
 #include "run/config.hpp"
 #include "run/simulation.hpp"
 
 namespace kreisel::bench {
 
-/// 0 done, 2 bad input or use, 3 infeasible problem, 4 solver did not converge or memory ran out, 130
-/// interrupted.
-enum ExitCode : int { done = 0, bad_input = 2, infeasible = 3, not_converged = 4, was_interrupted = 130 };
+using namespace apps;  // exit codes, checks of outputs, progress
 
 struct OnceOptions {
   RunConfig config;

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "apps/bench/commands.hpp"
-#include "apps/bench/outputs.hpp"
+#include "apps/shared/outputs.hpp"
 #include "body/source.hpp"
 #include "error.hpp"
 #include "experiment/data_folder.hpp"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/bench/commands.hpp"
-#include "apps/bench/outputs.hpp"
+#include "apps/shared/outputs.hpp"
 #include "body/body.hpp"
 #include "body/source.hpp"
 #include "error.hpp"

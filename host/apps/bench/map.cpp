@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/bench/commands.hpp"
-#include "apps/bench/outputs.hpp"
-#include "apps/bench/step_line.hpp"
+#include "apps/shared/outputs.hpp"
+#include "apps/shared/step_line.hpp"
 #include "record/map_record.hpp"
 #include "record/record.hpp"
 #include "run/orientation_map.hpp"

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/bench/commands.hpp"
-#include "apps/bench/outputs.hpp"
-#include "apps/bench/step_line.hpp"
+#include "apps/shared/outputs.hpp"
+#include "apps/shared/step_line.hpp"
 #include "fabricate/write_halves.hpp"
 #include "mesh/format.hpp"
 #include "record/record.hpp"
@@ -107,21 +107,6 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
              r.peak_bytes / (1 << 30));
   fmt::print("  verified   {}\n", r.verified.verdict.text);
   print_files(r.verified);
-}
-
-int exit_code(Termination termination) {
-  switch (termination) {
-    case Termination::optimal:
-    case Termination::acceptable:
-      return done;
-    case Termination::infeasible:
-      return infeasible;
-    case Termination::interrupted:
-      return was_interrupted;
-    case Termination::failed:
-      break;
-  }
-  return not_converged;
 }
 
 RunOutput run_showing_steps(const OnceOptions& options) {

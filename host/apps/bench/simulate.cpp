@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "apps/bench/commands.hpp"
-#include "apps/bench/outputs.hpp"
-#include "apps/bench/step_line.hpp"
+#include "apps/shared/outputs.hpp"
+#include "apps/shared/step_line.hpp"
 #include "device/device.hpp"
 #include "error.hpp"
 #include "file/write_text.hpp"

@@ -1,4 +1,4 @@
-#include "apps/bench/outputs.hpp"
+#include "apps/shared/outputs.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 
 #include "error.hpp"
 
-namespace kreisel::bench {
+namespace kreisel::apps {
 
 void require_writable(const std::string& file, const char* option) {
   if (file.empty() || file == "-") return;
@@ -26,10 +26,13 @@ void require_writable(const std::string& file, const char* option) {
                                  folder.string(), std::strerror(errno)));
 }
 
-void flush_output() {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
-  throw InputError(
-      fmt::format("standard output: {}; expected one that takes what is printed", std::strerror(errno)));
+std::string output_error() {
+  return fmt::format("standard output: {}; expected one that takes what is printed", std::strerror(errno));
 }
 
-}  // namespace kreisel::bench
+void flush_output() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  throw InputError(output_error());
+}
+
+}  // namespace kreisel::apps

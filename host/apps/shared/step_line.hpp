@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string>
 
-namespace kreisel::bench {
+namespace kreisel::apps {
 
 /// The step under way, on a terminal; the line is taken back in the end, also ahead of an error.
 class StepLine {
@@ -26,4 +26,4 @@ class StepLine {
   bool terminal_ = isatty(STDERR_FILENO) != 0;
 };
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::apps

@@ -1,0 +1,10 @@
+// print.hpp - what `design` says.
+#pragma once
+
+#include "design/design.hpp"
+
+namespace kreisel::apps {
+
+void print_design(const Design& design);
+
+}  // namespace kreisel::apps

@@ -1,0 +1,15 @@
+// exit_code.hpp - how a program ended, for scripts.
+#pragma once
+
+#include "solve/solver.hpp"
+
+namespace kreisel::apps {
+
+/// 0 done, 2 bad input or use, 3 infeasible problem, 4 solver did not converge or memory ran out, 130
+/// interrupted.
+enum ExitCode : int { done = 0, bad_input = 2, infeasible = 3, not_converged = 4, was_interrupted = 130 };
+
+/// That of a run whose solve ended like this.
+[[nodiscard]] int exit_code(Termination termination);
+
+}  // namespace kreisel::apps

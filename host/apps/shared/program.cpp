@@ -1,0 +1,107 @@
+#include "apps/shared/program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string_view>
+#include <vector>
+
+#include "apps/shared/exit_code.hpp"
+#include "apps/shared/outputs.hpp"
+#include "error.hpp"
+#include "memory.hpp"
+#include "nearest.hpp"
+#include "solve/interrupt.hpp"
+
+namespace kreisel::apps {
+namespace {
+
+const char* program_name = "";  // a handler of terminate has no argument to get it by
+
+/// Prints the one line of an error. @return  the code
+int say(std::string_view what, int code) {
+  std::fflush(stdout);
+  fmt::print(stderr, "{}: {}\n", program_name, what);
+  return code;
+}
+
+int say_memory_ran_out() {
+  const Memory memory = available_memory();
+  return say(
+      fmt::format("not enough memory, {} {:.2g} GiB; expected more, a coarser --resolution or a mesh of "
+                  "fewer triangles",
+                  memory.of, memory.bytes / (1 << 30)),
+      not_converged);
+}
+
+int run(int (*dispatch)(int, char**), int argc, char** argv) {
+  try {
+    const int code = dispatch(argc, argv);
+    flush_output();
+    return code;
+  } catch (const InputError& error) {
+    return say(error.what(), bad_input);
+  } catch (const Interrupted&) {
+    return say("interrupted, nothing written", was_interrupted);
+  } catch (const MemoryError& error) {
+    return say(error.what(), not_converged);
+  } catch (const std::bad_alloc&) {
+    return say_memory_ran_out();
+  } catch (const std::exception& error) {
+    // What is printed goes out whenever a buffer is full, and throws then what fmt throws.
+    if (std::ferror(stdout)) return say(output_error(), bad_input);
+    return say(fmt::format("internal error: {}", error.what()), 1);
+  }
+}
+
+/// What a library's thread throws reaches no catch of ours.
+[[noreturn]] void on_terminate() {
+  try {
+    if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    std::_Exit(say_memory_ran_out());
+  } catch (const std::exception& error) {
+    std::_Exit(say(fmt::format("internal error: {}", error.what()), 1));
+  } catch (...) {
+  }
+  std::abort();
+}
+
+}  // namespace
+
+std::string explained(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string help = fmt::format("({} --help lists the options)", app.get_name());
+  const CLI::App* used = app.get_subcommands().empty() ? &app : app.get_subcommands().front();
+  std::vector<std::string> extras;
+  if (dynamic_cast<const CLI::ExtrasError*>(&error)) extras = used->remaining(true);
+  if (extras.empty()) return fmt::format("{} {}", error.what(), help);
+  // What follows an unknown option is unknown, too: the option is the one to name.
+  const auto option = std::ranges::find_if(extras, [](const std::string& e) { return e.starts_with('-'); });
+  const std::string& extra = option != extras.end() ? *option : extras.front();
+  std::vector<std::string> names;
+  for (const CLI::Option* known : used->get_options()) names.push_back(known->get_name());
+  for (const CLI::App* sub : used->get_subcommands(nullptr)) names.push_back(sub->get_name());
+  const std::string meant = nearest(extra.substr(0, extra.find('=')), names);
+  return fmt::format("'{}' was not expected{}; expected an option or a command {}", extra,
+                     meant.empty() ? "" : fmt::format(" (did you mean '{}'?)", meant), help);
+}
+
+void run_program(const char* name, int (*dispatch)(int, char**), int argc, char** argv) {
+  program_name = name;
+  catch_interrupts();
+  std::set_terminate(on_terminate);
+  // A file that may not grow fails as on a full disk: the write says so and what is begun is removed.
+  std::signal(SIGXFSZ, SIG_IGN);
+  const int code = run(dispatch, argc, argv);
+  std::fflush(stdout);
+  // Without the goodbyes of libraries: OpenBLAS' waits for its threads, which, where memory is short, wait
+  // for memory.
+  std::_Exit(code);
+}
+
+}  // namespace kreisel::apps

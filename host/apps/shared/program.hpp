@@ -1,0 +1,17 @@
+// program.hpp - what every program does around its work: Ctrl-C, one line for an error, the exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace kreisel::apps {
+
+/// One line for what CLI11 refuses: of an unknown option or command its name and the nearest that there is.
+[[nodiscard]] std::string explained(const CLI::App& app, const CLI::ParseError& error);
+
+/// Ends the process with what `dispatch` returns, or with one line and the code of what it throws.
+/// @param name  of the program, ahead of that line
+[[noreturn]] void run_program(const char* name, int (*dispatch)(int argc, char** argv), int argc,
+                              char** argv);
+
+}  // namespace kreisel::apps

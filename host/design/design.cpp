@@ -1,0 +1,109 @@
+#include "design/design.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "design/other_axes.hpp"
+#include "error.hpp"
+#include "fabricate/cut_part.hpp"
+#include "fabricate/wall.hpp"
+#include "parse.hpp"
+
+namespace kreisel {
+
+namespace {
+
+/// @throws InputError  no plane
+Cut parse_plane(const std::string& text) {
+  const std::size_t last = text.rfind(',');
+  const auto normal = last == std::string::npos ? std::nullopt : parse_vector(text.substr(0, last));
+  const auto offset = last == std::string::npos ? std::nullopt : parse<double>(text.substr(last + 1));
+  if (!normal || !offset || !(normal->norm() > 0))
+    throw InputError(
+        fmt::format("--cut {}; expected auto, or a plane NX,NY,NZ,D where N . x = D in mm", text));
+  return {*normal, *offset, 0};
+}
+
+/// Drills and cuts the part, always in the same places.
+class Finishing {
+ public:
+  explicit Finishing(const DesignSpec& spec) : automatic_(spec.cut == "auto"), drain_(spec.drain_radius) {
+    if (!automatic_ && !spec.cut.empty()) planes_.push_back(parse_plane(spec.cut));
+  }
+
+  [[nodiscard]] bool wanted() const { return automatic_ || !planes_.empty() || drain_ > 0; }
+  [[nodiscard]] const std::vector<Cut>& planes() const { return planes_; }
+  [[nodiscard]] const std::vector<Drain>& drains() const { return drains_; }
+
+  std::vector<MaterialPart> operator()(const Body& body, const std::vector<MaterialPart>& parts) {
+    if (parts.size() > 1)
+      throw InputError("--cut or --drain of a part of several materials; expected one of a single material");
+    MaterialPart part = parts.front();
+    if (part.surfaces.size() < 2) return parts;  // nothing to open
+    if (automatic_ && planes_.empty()) planes_ = find_voids(part.surfaces, cut_directions(body)).cuts;
+    if (drain_ > 0) {
+      if (drains_.empty())
+        drains_ = drains_of(part.surfaces[0], part.surfaces[1], drain_, body.frame.rotation.row(2));
+      part.surfaces = {drained(part.surfaces[0], part.surfaces[1], drains_, drain_)};
+    }
+    return planes_.empty() ? std::vector{part} : cut_part(part, planes_);
+  }
+
+ private:
+  bool automatic_;
+  double drain_;
+  std::vector<Cut> planes_;
+  std::vector<Drain> drains_;
+};
+
+}  // namespace
+
+Design make_design(const DesignSpec& spec, const Progress& progress) {
+  Finishing finishing(spec);
+  SolvedRun run(spec.config, progress);
+  const double wall = run.result.wall * run.result.length_mm;
+  if (wall < spec.printer_accuracy)
+    throw InputError(
+        fmt::format("a wall of {:.3g} mm is thinner than the printer's accuracy of {:.3g} mm; expected a "
+                    "thicker --wall, a "
+                    "larger --size or a finer --printer-accuracy",
+                    wall, spec.printer_accuracy));
+  Design design;
+  design.part.outer = run.body().mesh;
+  if (run.result.outcome.termination != Termination::infeasible) {
+    if (progress) progress("mesh, write, verify");
+    PartOptions options;
+    options.least_void = std::pow(5 * spec.printer_accuracy, 3);
+    if (finishing.wanted())
+      options.finish = [&](const std::vector<MaterialPart>& parts) { return finishing(run.body(), parts); };
+    design.part = make_part(run, spec.file.string(), options);
+    design.cuts = finishing.planes();
+    design.drains = finishing.drains();
+    if (progress) progress("measure the walls");
+    design.wall = least_wall(design.part.outer, design.part.cavity);
+  }
+  design.run = std::move(run.result);
+  const RunResult& r = design.run;
+  design.before = figures_of(r.solid, 1e3 * r.mass_unit_grams * r.solid[S1] / r.density, r, run.problem());
+  if (!design.feasible()) {
+    if (r.config.problem == "spin") design.other_axes = other_axes(spec.config, r.axis, progress);
+    return design;
+  }
+
+  double volume = 0;
+  for (const WrittenMaterial& material : r.verified.materials) {
+    volume += 1e3 * material.grams / material.density;
+    if (std::ranges::find(design.files, material.file) == design.files.end())
+      design.files.push_back(material.file);
+  }
+  design.after = figures_of(r.verified.moments, volume, r, run.problem());
+  design.after.verdict = r.verified.verdict;  // which may say that the file holds no solid
+  design.residual = residual_of(design.after, r.config);
+  return design;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,48 @@
+// design.hpp - a mesh in, a printable part out.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "design/figures.hpp"
+#include "fabricate/drain.hpp"
+#include "run/make_part.hpp"
+
+namespace kreisel {
+
+struct DesignSpec {
+  RunConfig config;            ///< with part = written
+  std::filesystem::path file;  ///< where the part goes
+  /// mm, the least that can be printed: no wall may be thinner, and voids of less than a cube of five times
+  /// as much stay filled.
+  double printer_accuracy = 0.4;
+  /// Where the part is cut: "auto", by the planes that open all voids; or "NX,NY,NZ,D", where normal . x = D,
+  /// model coordinates in mm. Empty: it stays whole.
+  std::string cut;
+  double drain_radius = 0;  ///< of a hole into every void, mm; 0: none
+};
+
+/// A part that was made, with the solid it was made of beside it.
+struct Design {
+  RunResult run;
+  PartMeshes part;            ///< model coordinates, mm; no cavity where the problem is infeasible
+  Figures before, after;      ///< the solid; the part, from the files as read again
+  Residual residual{};        ///< of the part
+  double wall = 0;            ///< least of the part, mm; infinite without a cavity
+  std::vector<Cut> cuts;      ///< by which it was cut
+  std::vector<Drain> drains;  ///< holes into voids
+  std::string other_axes;     ///< where it cannot spin about the axis that was asked for: about which it can
+  std::vector<std::filesystem::path> files;
+
+  [[nodiscard]] bool feasible() const { return run.outcome.termination != Termination::infeasible; }
+};
+
+/// One run, its part written and measured. Where the problem is infeasible nothing is written.
+/// @throws InputError   as run(); a wall below the printer's accuracy
+/// @throws Interrupted  nothing is written
+[[nodiscard]] Design make_design(const DesignSpec& spec, const Progress& progress = {});
+
+/// As JSON, by the field names of docs/output.md.
+[[nodiscard]] std::string to_json(const Design& design);
+
+}  // namespace kreisel

@@ -1,0 +1,75 @@
+#include "design/page.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "error.hpp"
+
+namespace kreisel {
+namespace {
+
+std::string base64(const std::vector<std::uint32_t>& words) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::size_t bytes = 4 * words.size();
+  const auto byte = [&](std::size_t i) { return i < bytes ? words[i / 4] >> (8 * (i % 4)) & 255u : 0u; };
+  std::string text;
+  text.reserve((bytes + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes; i += 3) {
+    const std::uint32_t three = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
+    for (int k = 0; k < 4; ++k)
+      text += i + static_cast<std::size_t>(k) > bytes ? '=' : digits[three >> (18 - 6 * k) & 63u];
+  }
+  return text;
+}
+
+/// Little-endian floats and indices.
+std::string encoded(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> positions, indices;
+  positions.reserve(3 * mesh.vertices.size());
+  for (const Vec3& v : mesh.vertices)
+    for (int a = 0; a < 3; ++a) positions.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(v[a])));
+  indices.reserve(3 * mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) indices.insert(indices.end(), t.begin(), t.end());
+  return fmt::format("{{\"positions\": \"{}\", \"indices\": \"{}\"}}", base64(positions), base64(indices));
+}
+
+void replace(std::string& text, std::string_view mark, const std::string& with) {
+  const std::size_t at = text.find(mark);
+  text.replace(at, mark.size(), with);
+}
+
+/// Text inside a script must not end it.
+std::string within_script(std::string text) {
+  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3)
+    text.insert(at + 1, "\\");
+  return text;
+}
+
+}  // namespace
+
+std::string page_of(const Design& design, const std::string& three) {
+  std::string page = page_template;
+  replace(page, "@MESHES@",
+          fmt::format("{{\"outer\": {}, \"cavity\": {}}}", encoded(design.part.outer),
+                      encoded(design.part.cavity)));
+  replace(page, "@REPORT@", within_script(to_json(design)));
+  replace(page, "@THREE@", three);
+  return page;
+}
+
+std::string installed_three() {
+  constexpr const char* path = "/usr/share/javascript/three/three.min.js";
+  std::ifstream in(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (text.empty())
+    throw InputError(
+        fmt::format("--html: {}: no such file; expected three.js there (apt install libjs-three)", path));
+  return text;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,81 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "design/design.hpp"
+
+namespace kreisel {
+namespace {
+
+using nlohmann::json;
+
+json list(const Vec3& v) { return {v[0], v[1], v[2]}; }
+json rows(const Eigen::Matrix3d& m) {
+  return {list(Vec3(m.row(0))), list(Vec3(m.row(1))), list(Vec3(m.row(2)))};
+}
+json number(double value) { return std::isfinite(value) ? json(value) : json(); }
+
+json to_json(const Figures& f) {
+  json quality = json::object();
+  for (const auto& [name, value] : f.verdict.values) quality[name] = number(value);
+  return {{"mass_g", f.mass},
+          {"volume_mm3", f.volume},
+          {"centre_of_mass_mm", list(f.centre_of_mass)},
+          {"inertia_g_mm2", rows(f.inertia)},
+          {"principal_moments_g_mm2", list(f.principal)},
+          {"principal_axes", rows(f.axes.transpose())},
+          {"ok", f.verdict.ok},
+          {"text", f.verdict.text},
+          {"quality", quality}};
+}
+
+}  // namespace
+
+std::string to_json(const Design& design) {
+  const RunResult& r = design.run;
+  json summary = {{"model", r.config.body.model},
+                  {"problem", r.config.problem},
+                  {"formulation", r.config.formulation},
+                  {"config", describe(r.config)},
+                  {"commit", r.provenance.commit},
+                  {"device", r.provenance.device},
+                  {"repairs", r.repairs},
+                  {"termination", to_string(r.outcome.termination)},
+                  {"density", r.density},
+                  {"axis", list(r.axis)},
+                  {"contact", list(r.contact)},
+                  {"wall_asked_mm", r.wall * r.length_mm},
+                  {"before", to_json(design.before)},
+                  {"files", json::array()},
+                  {"seconds", r.whole_seconds},
+                  {"peak_bytes", r.peak_bytes}};
+  if (!design.feasible()) {
+    summary["after"] = nullptr;
+    summary["infeasibility"] = r.infeasibility;
+    summary["remedies"] = r.remedies;
+    summary["other_axes"] = design.other_axes;
+    return summary.dump(2) + "\n";
+  }
+  json cuts = json::array();
+  for (const Cut& cut : r.voids.cuts)
+    cuts.push_back({{"normal", list(cut.normal)}, {"offset", cut.offset}, {"opens", cut.opens}});
+  for (const auto& file : design.files) summary["files"].push_back(file.string());
+  summary["after"] = to_json(design.after);
+  summary["constraint_residual"] = {{"centre_of_mass_mm", number(design.residual.centre_of_mass_mm)},
+                                    {"axis_degrees", number(design.residual.axis_degrees)},
+                                    {"mass_g", number(design.residual.mass_g)}};
+  summary["wall_mm"] = number(design.wall);
+  summary["voids"] = r.voids.pieces;
+  summary["islands"] = r.voids.islands;
+  summary["cuts"] = cuts;
+  summary["cut_by"] = json::array();
+  for (const Cut& cut : design.cuts)
+    summary["cut_by"].push_back({{"normal", list(cut.normal)}, {"offset", cut.offset}});
+  summary["triangles"] = r.verified.triangles;
+  summary["cavity_triangles"] = r.verified.void_triangles;
+  summary["drains"] = json::array();
+  for (const Drain& drain : design.drains)
+    summary["drains"].push_back({{"from", list(drain.from)}, {"along", list(drain.along)}});
+  return summary.dump(2) + "\n";
+}
+
+}  // namespace kreisel

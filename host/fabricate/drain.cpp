@@ -1,0 +1,258 @@
+#include "fabricate/drain.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "error.hpp"
+#include "mesh/components.hpp"
+#include "mesh/distance.hpp"
+#include "mesh/encode.hpp"
+#include "mesh/refine.hpp"
+
+namespace kreisel {
+namespace {
+
+/// How far a surface may lean against a hole's cross-section: normals within 60 degrees of its axis.
+constexpr double even = 0.5;
+
+Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  // Onto the plane, else onto the nearest edge.
+  const Vec3 n = (b - a).cross(c - a);
+  const Vec3 q = p - n.dot(p - a) / n.squaredNorm() * n;
+  const Vec3 corner[] = {a, b, c};
+  bool inside = true;
+  Vec3 best = a;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 &from = corner[i], &to = corner[(i + 1) % 3], along = to - from;
+    inside &= n.dot(along.cross(q - from)) >= 0;
+    const Vec3 at = from + std::clamp(along.dot(p - from) / along.squaredNorm(), 0.0, 1.0) * along;
+    if ((p - at).squaredNorm() < least) {
+      least = (p - at).squaredNorm();
+      best = at;
+    }
+  }
+  return inside ? q : best;
+}
+
+/// Coordinates along a hole: z into the material.
+class Bore {
+ public:
+  explicit Bore(const Drain& drain) : from_(drain.from), rotation_(axis_to_z(drain.along)) {}
+
+  [[nodiscard]] Vec3 operator()(const Vec3& p) const { return rotation_ * (p - from_); }
+  [[nodiscard]] double off_axis(const Vec3& p) const { return (*this)(p).head<2>().norm(); }
+  [[nodiscard]] double angle(const Vec3& p) const {
+    const Vec3 at = (*this)(p);
+    return std::atan2(at[1], at[0]);
+  }
+
+ private:
+  Vec3 from_;
+  Eigen::Matrix3d rotation_;
+};
+
+Vec3 normal_of(const TriangleMesh& mesh, const Triangle& t) {
+  const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+  return (b - a).cross(c - a).normalized();
+}
+
+/// Does the bore's axis go through the triangle?
+bool on_axis(const Bore& bore, const TriangleMesh& mesh, const Triangle& t) {
+  std::array<Vec3, 3> p;
+  for (std::size_t i = 0; i < 3; ++i) p[i] = bore(mesh.vertices[t[i]]);
+  int sides = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &a = p[i], &b = p[(i + 1) % 3];
+    sides += a[0] * b[1] - a[1] * b[0] > 0 ? 1 : -1;
+  }
+  return std::abs(sides) == 3;
+}
+
+/// Cuts a disc out of a surface where the bore goes through it first at or behind `depth`.
+/// @param towards  1 for a surface that faces along the bore, -1 for one that faces against it
+/// @return  the rim, as the edges of what is left run along it; nothing where there is no even disc
+std::optional<std::vector<std::uint32_t>> cut_disc(TriangleMesh& mesh, const Bore& bore, double radius,
+                                                   double depth, int towards, const Vec3& along) {
+  std::optional<std::size_t> seed;
+  double first = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    if (!on_axis(bore, mesh, t)) continue;
+    const double z = bore((mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3)[2];
+    if (z >= depth && z < first) first = z, seed = i;
+  }
+  if (!seed) return std::nullopt;
+
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> owner;  // of a directed edge near the hole
+  const auto near = [&](const Triangle& t) {
+    return std::ranges::all_of(t, [&](std::uint32_t v) {
+      return bore.off_axis(mesh.vertices[v]) < 2 * radius &&
+             std::abs(bore(mesh.vertices[v])[2] - first) < 4 * radius;
+    });
+  };
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    if (const Triangle& t = mesh.triangles[i]; near(t))
+      for (std::size_t k = 0; k < 3; ++k) owner[{t[k], t[(k + 1) % 3]}] = i;
+
+  std::vector<bool> cut(mesh.triangles.size());
+  std::vector<std::size_t> front = {*seed};
+  cut[*seed] = true;
+  std::map<std::uint32_t, std::uint32_t> rim;  // from what is cut: the next vertex along it
+  while (!front.empty()) {
+    const Triangle t = mesh.triangles[front.back()];
+    front.pop_back();
+    if (normal_of(mesh, t).dot(along) * towards < even) return std::nullopt;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto beyond = owner.find({t[(k + 1) % 3], t[k]});
+      if (beyond == owner.end()) return std::nullopt;
+      const Triangle& next = mesh.triangles[beyond->second];
+      const Vec3 middle = (mesh.vertices[next[0]] + mesh.vertices[next[1]] + mesh.vertices[next[2]]) / 3;
+      if (cut[beyond->second] || bore.off_axis(middle) > radius) continue;
+      cut[beyond->second] = true;
+      front.push_back(beyond->second);
+    }
+  }
+  for (const auto& [edge, triangle] : owner) {
+    if (!cut[triangle] || cut[owner.at({edge.second, edge.first})]) continue;
+    if (!rim.emplace(edge.second, edge.first).second) return std::nullopt;  // two rims touch in a vertex
+  }
+  std::vector<std::uint32_t> loop = {rim.begin()->first};
+  for (std::uint32_t v = rim.begin()->second; v != loop.front(); v = rim.at(v)) loop.push_back(v);
+  if (loop.size() != rim.size()) return std::nullopt;  // a hole in the disc
+  // Seen along the bore the rim must go once around its axis, always the same way.
+  double turned = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    double step = bore.angle(mesh.vertices[loop[(i + 1) % loop.size()]]) - bore.angle(mesh.vertices[loop[i]]);
+    step -= 2 * std::numbers::pi * std::round(step / (2 * std::numbers::pi));
+    if (turned * step < 0) return std::nullopt;
+    turned += step;
+  }
+  std::size_t i = 0;
+  std::erase_if(mesh.triangles, [&](const Triangle&) { return cut[i++]; });
+  return loop;
+}
+
+/// Triangles between two rims that run opposite ways around the bore.
+void add_wall(TriangleMesh& mesh, const Bore& bore, std::vector<std::uint32_t> one,
+              std::vector<std::uint32_t> other) {
+  std::ranges::reverse(other);
+  const auto angle = [&](std::uint32_t v) { return bore.angle(mesh.vertices[v]); };
+  const auto apart = [](double a, double b) {
+    return std::abs(a - b - 2 * std::numbers::pi * std::round((a - b) / (2 * std::numbers::pi)));
+  };
+  const auto start = std::ranges::min_element(
+      other, {}, [&](std::uint32_t v) { return apart(angle(v), angle(one.front())); });
+  std::rotate(other.begin(), start, other.end());
+  std::size_t i = 0, j = 0;
+  while (i < one.size() || j < other.size()) {
+    const std::uint32_t a = one[i % one.size()], b = other[j % other.size()],
+                        next_a = one[(i + 1) % one.size()], next_b = other[(j + 1) % other.size()];
+    const bool step_one =
+        j == other.size() || (i < one.size() && (mesh.vertices[next_a] - mesh.vertices[b]).norm() <
+                                                    (mesh.vertices[next_b] - mesh.vertices[a]).norm());
+    if (step_one) {
+      mesh.triangles.push_back({next_a, a, b});
+      ++i;
+    } else {
+      mesh.triangles.push_back({a, b, next_b});
+      ++j;
+    }
+  }
+}
+
+void refine_about(TriangleMesh& mesh, const Bore& bore, double radius, double length) {
+  split_edges(mesh, [&](const Vec3& a, const Vec3& b) {
+    if ((a - b).norm() < radius / 3) return false;
+    // The part of the edge that is nearest to the mouth of the bore.
+    const Vec3 p = bore(a), d = bore(b) - p;
+    const double t =
+        std::clamp(-p.head<2>().dot(d.head<2>()) / std::max(d.head<2>().squaredNorm(), 1e-300), 0.0, 1.0);
+    const Vec3 at = p + t * d;
+    return at.head<2>().norm() < 1.8 * radius && at[2] > -2 * radius && at[2] < length + 2 * radius;
+  });
+}
+
+/// The triangles that may be near a bore.
+TriangleMesh about(const TriangleMesh& mesh, const Bore& bore, double radius) {
+  TriangleMesh some;
+  some.vertices = mesh.vertices;
+  for (const Triangle& t : mesh.triangles) {
+    double nearest = std::numeric_limits<double>::infinity(), longest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& a = mesh.vertices[t[i]];
+      nearest = std::min(nearest, bore.off_axis(a));
+      longest = std::max(longest, (a - mesh.vertices[t[(i + 1) % 3]]).norm());
+    }
+    if (nearest - longest < 3 * radius) some.triangles.push_back(t);
+  }
+  return some;
+}
+
+}  // namespace
+
+std::vector<Drain> drains_of(const TriangleMesh& outer, const TriangleMesh& cavity, double radius,
+                             const Vec3& up) {
+  std::vector<Drain> drains;
+  if (cavity.triangles.empty()) return drains;
+  const SurfaceDistance distance(outer);
+  const double limit = bounding_box(outer).extent().norm();
+  for (const Shell& shell : shells(cavity)) {
+    if (shell.volume > 0) continue;  // an island
+    std::vector<std::uint32_t> corners;
+    for (const std::uint32_t t : shell.triangles)
+      corners.insert(corners.end(), cavity.triangles[t].begin(), cavity.triangles[t].end());
+    std::ranges::sort(corners);
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    double least = limit;
+    for (const std::uint32_t v : corners) least = std::min(least, distance(cavity.vertices[v], least));
+    std::ranges::sort(corners, {}, [&](std::uint32_t v) { return up.dot(cavity.vertices[v]); });
+    const std::size_t step = std::max<std::size_t>(1, corners.size() / 500);  // places to try
+    for (std::size_t i = 0; i < corners.size(); i += step) {
+      const Vec3& p = cavity.vertices[corners[i]];
+      const auto nearest = distance.nearest(p, 1.1 * least);
+      if (!nearest) continue;
+      const Triangle& t = outer.triangles[*nearest];
+      const Vec3 q = nearest_on_triangle(p, outer.vertices[t[0]], outer.vertices[t[1]], outer.vertices[t[2]]);
+      const Drain drain{q, (p - q).normalized()};
+      try {
+        const Bore bore(drain);
+        (void)drained(about(outer, bore, radius), about(cavity, bore, radius), {drain}, radius);
+      } catch (const InputError&) {
+        continue;
+      }
+      drains.push_back(drain);
+      break;
+    }
+  }
+  return drains;
+}
+
+TriangleMesh drained(const TriangleMesh& outer, const TriangleMesh& cavity, const std::vector<Drain>& drains,
+                     double radius) {
+  TriangleMesh mesh = joined({outer, cavity}, "the part");
+  for (const Drain& drain : drains) {
+    const Bore bore(drain);
+    refine_about(mesh, bore, radius, 8 * radius);
+    // The outer surface faces against the bore, the void's faces along it.
+    const auto mouth = cut_disc(mesh, bore, radius, -radius, -1, drain.along);
+    const auto end = mouth ? cut_disc(mesh, bore, radius, 0.1 * radius, 1, drain.along) : std::nullopt;
+    if (!mouth || !end)
+      throw InputError(
+          fmt::format("a drain hole of {:.3g} mm radius at {:.4g},{:.4g},{:.4g} mm: expected both sides "
+                      "of the wall to be even there",
+                      radius, drain.from[0], drain.from[1], drain.from[2]));
+    add_wall(mesh, bore, *mouth, *end);
+  }
+  return mesh;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,147 @@
+#include "run/make_part.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+#include <utility>
+
+#include "fabricate/verify.hpp"
+#include "formulation/meet_constraints.hpp"
+#include "memory.hpp"
+#include "solve/interrupt.hpp"
+
+namespace kreisel {
+namespace {
+
+RoundingCost cost_of(const Rounded& rounded, std::size_t moved, const Task& task, const Body& body) {
+  const Problem& problem = task.problem;
+  RoundingCost cost;
+  cost.moments = task.mass.total(moments(rounded.solid));
+  cost.objective = problem.value(cost.moments);
+  cost.violation = violation(problem, cost.moments);
+  cost.solid_voxels = rounded.solid.count_solid();
+  cost.void_voxels = rounded.solid.size() - cost.solid_voxels;
+  if (body.heavy_voids()) std::swap(cost.solid_voxels, cost.void_voxels);
+  cost.mended_voxels = rounded.mended;
+  cost.moved_voxels = moved;
+  return cost;
+}
+
+/// Removes a folder when it goes out of scope; an empty path is left alone.
+struct Temporary {
+  std::filesystem::path path;
+  ~Temporary() {
+    std::error_code ignored;
+    if (!path.empty()) std::filesystem::remove_all(path, ignored);
+  }
+};
+
+std::string warning_of(const std::vector<double>& islands) {
+  const bool one = islands.size() == 1;
+  return fmt::format("; but {} of {:.3g} mm^3 {} loose in the voids",
+                     one ? "a piece" : fmt::format("{} pieces", islands.size()),
+                     std::accumulate(islands.begin(), islands.end(), 0.0), one ? "lies" : "lie");
+}
+
+Verified write_and_verify(const RunResult& r, const std::vector<MaterialPart>& parts, const Body& body,
+                          const Problem& problem, const std::string& file) {
+  const Temporary temporary{
+      file.empty() ? std::filesystem::temp_directory_path() / fmt::format("kreisel-{}", ::getpid()) : ""};
+  const std::filesystem::path path = file.empty() ? temporary.path / "part.stl" : std::filesystem::path(file);
+  const WrittenPart part = verify_written(write_parts(path, parts), body, problem);
+
+  Verified verified;
+  verified.verdict = part.verdict;
+  if (!r.voids.islands.empty() && body.void_density == 0)
+    verified.verdict.text += warning_of(r.voids.islands);
+  verified.file = file;
+  verified.moments = part.moments;
+  verified.materials = part.materials;
+  for (WrittenMaterial& material : verified.materials) {
+    verified.triangles += material.triangles;
+    if (file.empty()) material.file.clear();
+  }
+  verified.rounding_mismatch = (part.moments - r.rounding.moments).cwiseAbs().maxCoeff();
+  return verified;
+}
+
+/// What is inside the body, and the solids that are written.
+struct Made {
+  Inside inside;
+  std::vector<MaterialPart> parts;
+};
+
+Made made_of(const Body& body, Inside inside, const PartOptions& options) {
+  std::vector<MaterialPart> parts = parts_of(body, inside);
+  if (options.finish) parts = options.finish(parts);
+  return {std::move(inside), std::move(parts)};
+}
+
+/// Rounds the optimum to whole voxels.
+Made round_to_voxels(SolvedRun& run, bool fit, const PartOptions& options) {
+  const Task task = run.task();
+  RunResult& r = run.result;
+  Rounded rounded = task.formulation.round(r.outcome.x);
+  const std::size_t moved = fit ? meet_constraints(rounded.solid, task.problem, task.mass) : 0;
+  r.rounding = cost_of(rounded, moved, task, run.body());
+  Made made = made_of(run.body(), inside_of(run.body(), rounded.solid), options);
+  if (options.finish) r.rounding.moments = moments_of(run.body(), made.parts);
+  return made;
+}
+
+/// Meshes what the optimal quadric leaves. A mesh and a sum over rays sample the same shape differently; to
+/// fit, what they differ by is added to what is fixed and the problem solved again, until the mesh itself
+/// meets the constraints.
+Made mesh_inside(SolvedRun& run, bool fit, const PartOptions& options) {
+  const Body& body = run.body();
+  const Problem& problem = run.problem();
+  RunResult& r = run.result;
+  // The finer against the wall, the less deeper than the wall the vertices must lie.
+  const CavityMesher mesher(body, r.wall, std::min(r.grid.h, r.wall / 2));
+  const double least_void = body.one_material() ? options.least_void / std::pow(r.length_mm, 3) : 0;
+  constexpr double met = 1e-6;  // a thousandth of what a verdict asks for
+  constexpr int most_corrections = 3;
+  MassModel seen = run.mass();  // the mesh's moments in place of the rays'
+  std::vector<double> x = r.outcome.x;
+  for (int corrections = 0;; ++corrections) {
+    Inside inside = inside_of(body, mesher, Moments(x.data()));
+    if (least_void > 0) inside.voids = without_small_shells(inside.voids, least_void);
+    Made made = made_of(body, std::move(inside), options);
+    const Moments whole = options.finish ? moments_of(body, made.parts) : moments_of(body, made.inside);
+    r.rounding = {};
+    r.rounding.moments = whole;
+    r.rounding.objective = problem.value(whole);
+    r.rounding.violation = violation(problem, whole);
+    r.rounding.corrections = corrections;
+    if (!fit || r.rounding.violation <= met || corrections == most_corrections) return made;
+    stop_if_interrupted();
+    const Task task = run.task_with(seen);
+    seen.fixed += whole - seen.total(task.formulation.moments(x));
+    const Outcome again = solve(run.solver(), task, run.options());
+    if (again.termination != Termination::optimal) return made;
+    x = again.x;
+  }
+}
+
+}  // namespace
+
+PartMeshes make_part(SolvedRun& run, const std::string& mesh_file, const PartOptions& options) {
+  RunResult& r = run.result;
+  const Body& body = run.body();
+  // What cannot be met at all need not be fitted.
+  const bool fit = r.config.rounding == Rounding::fitted && r.outcome.termination != Termination::infeasible;
+  const Made made = run.exact() ? mesh_inside(run, fit, options) : round_to_voxels(run, fit, options);
+  PartMeshes part{body.mesh, to_model(body.frame, made.inside.voids)};
+  r.voids = find_voids({part.outer, part.cavity}, cut_directions(body));
+  r.verified = write_and_verify(r, made.parts, body, run.problem(), mesh_file);
+  r.verified.void_triangles = made.inside.voids.triangles.size();
+  r.whole_seconds = run.seconds();
+  r.peak_bytes = peak_memory();
+  return part;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,33 @@
+// make_part.hpp - from the optimum to the part: rounded or meshed, written, read again and judged.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "run/solved_run.hpp"
+
+namespace kreisel {
+
+/// Of a part: model coordinates, mm.
+struct PartMeshes {
+  TriangleMesh outer, cavity;
+};
+
+/// What else is done to a part.
+struct PartOptions {
+  /// Voids and islands smaller than this are left out, mm^3. Of quadrics and one material.
+  double least_void = 0;
+  /// Makes the solids that are written of the part's, as by cutting it. Model coordinates, mm. What this
+  /// changes of the moments is made up for like what meshing changes.
+  std::function<std::vector<MaterialPart>(const std::vector<MaterialPart>&)> finish = {};
+};
+
+/// Fills in what the run's result says of its part.
+///
+/// @param mesh_file  where it is written; empty: a temporary file, removed
+/// @throws InputError   it cannot be written
+/// @throws Interrupted  nothing is written
+PartMeshes make_part(SolvedRun& run, const std::string& mesh_file, const PartOptions& options = {});
+
+}  // namespace kreisel

@@ -1,0 +1,194 @@
+// design_test.cpp - `design` as a user runs it: a mesh in, a verified part out, and what others say of it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "apps/run_design.hpp"
+#include "body/mesh_moments.hpp"
+#include "mesh/components.hpp"
+#include "mesh/read.hpp"
+#include "mesh/self_intersections.hpp"
+#include "temporary_folder.hpp"
+
+namespace kreisel {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Design : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_.path / name).string(); }
+  [[nodiscard]] nlohmann::json report() const {
+    return nlohmann::json::parse(std::ifstream(file("report.json")), nullptr, false);
+  }
+  [[nodiscard]] std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_.path), {}));
+  }
+
+  const TemporaryFolder folder_;
+};
+
+constexpr const char* coarse = "--resolution 48 --fineness 24 --force";
+
+struct Case {
+  const char *problem, *model, *options, *says;
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.problem << ' ' << c.model; }
+
+class DesignOf : public Design, public ::testing::WithParamInterface<Case> {};
+
+TEST_P(DesignOf, IsWhatItsReportSays) {
+  const auto& [problem, model, options, says] = GetParam();
+  const BenchAnswer a = design(fmt::format("{} {} -o {} --json {} {} {}", problem, model, file("part.stl"),
+                                           file("report.json"), coarse, options));
+  ASSERT_EQ(a.code, 0) << a.out;
+  EXPECT_NE(a.out.find(says), std::string::npos) << a.out;
+  const nlohmann::json j = report();
+  EXPECT_TRUE(j.at("after").at("ok").get<bool>()) << a.out;
+  const auto& residual = j.at("constraint_residual");
+  EXPECT_LE(residual.at("centre_of_mass_mm").get<double>(), 0.01);
+  if (!residual.at("axis_degrees").is_null()) {
+    EXPECT_LE(residual.at("axis_degrees").get<double>(), 0.05);
+  }
+  EXPECT_GE(j.at("wall_mm").get<double>(), j.at("wall_asked_mm").get<double>() - 1e-5);
+
+  // The file itself, integrated here: floats of up to 60 mm, 4e-6 mm a coordinate.
+  if (std::string(options).find("--axle") != std::string::npos) return;  // the axle is a part of its own
+  const Moments s =
+      1e-3 * j.at("density").get<double>() * reference::mesh_moments(read_mesh(file("part.stl"))).value;
+  const auto& after = j.at("after");
+  EXPECT_NEAR(s[S1], after.at("mass_g").get<double>(), 1e-6 * s[S1]);
+  EXPECT_NEAR(1e3 * s[S1] / j.at("density").get<double>(), after.at("volume_mm3").get<double>(), 1e-2);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(centre_of_mass(s)[k], after.at("centre_of_mass_mm")[k].get<double>(), 1e-5);
+  const Eigen::Matrix3d inertia = inertia_about_centre(s);
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(inertia(i, k), after.at("inertia_g_mm2")[i][k].get<double>(), 1e-6 * inertia.trace());
+  EXPECT_LT(after.at("mass_g").get<double>(), j.at("before").at("mass_g").get<double>());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DesignOf,
+                         ::testing::Values(Case{"spin", "ellipsoid", "",
+                                                "spins: centre of mass 0.000 mm off the axis"},
+                                           Case{"yoyo", "cuboid", "--axis 0.1,0,1 --axle 3", "spins: "},
+                                           Case{"stand", "teapot", "", "stands: "},
+                                           Case{"float", "duck", "--draft 50%", "floats: "}));
+
+TEST_F(Design, WritesEveryFormat) {
+  double mass = 0;
+  for (const char* name : {"part.stl", "part.3mf", "part.obj", "part.ply", "part.off"}) {
+    const BenchAnswer a =
+        design(fmt::format("spin ellipsoid -o {} --resolution 24 --fineness 16 --force", file(name)));
+    ASSERT_EQ(a.code, 0) << a.out;
+    const double volume = reference::mesh_moments(read_mesh(file(name))).value[S1];
+    if (mass > 0) {
+      EXPECT_NEAR(volume, mass, 1e-5 * mass);
+    }
+    mass = volume;
+  }
+}
+
+TEST_F(Design, CutOpenIsStillBalanced) {
+  const BenchAnswer a = design(fmt::format("spin ellipsoid -o {} --json {} --cut auto {}", file("part.stl"),
+                                           file("report.json"), coarse));
+  ASSERT_EQ(a.code, 0) << a.out;
+  EXPECT_FALSE(fs::exists(file("part.stl"))) << "there are only halves";
+  const nlohmann::json j = report();
+  EXPECT_EQ(j.at("files").size(), 2u);
+  EXPECT_EQ(j.at("cut_by").size(), 1u);
+  EXPECT_LE(j.at("constraint_residual").at("centre_of_mass_mm").get<double>(), 0.01);
+  EXPECT_LE(j.at("constraint_residual").at("axis_degrees").get<double>(), 0.05);
+  Moments s = Moments::Zero();
+  for (const char* half : {"part-upper.stl", "part-lower.stl"}) {
+    const TriangleMesh mesh = read_mesh(file(half));
+    EXPECT_EQ(shells(mesh).size(), 1u) << "its void is open";
+    s += 1e-3 * reference::mesh_moments(mesh).value;
+  }
+  EXPECT_NEAR(s[S1], j.at("after").at("mass_g").get<double>(), 1e-6 * s[S1]);
+}
+
+TEST_F(Design, DrainedIsStillBalanced) {
+  const BenchAnswer a = design(fmt::format("spin ellipsoid -o {} --json {} --drain 1.5 {}", file("part.stl"),
+                                           file("report.json"), coarse));
+  ASSERT_EQ(a.code, 0) << a.out;
+  const nlohmann::json j = report();
+  EXPECT_EQ(j.at("drains").size(), 1u);
+  EXPECT_LE(j.at("constraint_residual").at("centre_of_mass_mm").get<double>(), 0.01);
+  EXPECT_LE(j.at("constraint_residual").at("axis_degrees").get<double>(), 0.05);
+  const TriangleMesh mesh = read_mesh(file("part.stl"));
+  const std::vector<Shell> all = shells(mesh);
+  ASSERT_EQ(all.size(), 1u) << "the void is open to the outside";
+  EXPECT_EQ(all[0].genus, 0) << "a ball with one dent";
+  EXPECT_TRUE(self_intersections(mesh).empty());
+}
+
+TEST_F(Design, OfAnInfeasibleProblemWritesNothingAndSaysWhatWouldHelp) {
+  const BenchAnswer a = design(fmt::format("spin ellipsoid --contact 12,19.5,0 -o {} --json {} {}",
+                                           file("part.stl"), file("report.json"), "--resolution 24"));
+  EXPECT_EQ(a.code, 3) << a.out;
+  EXPECT_NE(a.out.find("would help"), std::string::npos) << a.out;
+  EXPECT_NE(a.out.find("other axes will do: the nearest"), std::string::npos) << a.out;
+  EXPECT_FALSE(fs::exists(file("part.stl")));
+  EXPECT_EQ(report().at("termination"), "infeasible");
+}
+
+TEST_F(Design, DoesNotWriteOverAFileUnasked) {
+  folder_.write("part.stl", "mine");
+  const BenchAnswer a = design(fmt::format("spin ellipsoid -o {} --resolution 24", file("part.stl")));
+  EXPECT_EQ(a.code, 2) << a.out;
+  EXPECT_NE(a.out.find("exists; expected a new name, or --force"), std::string::npos) << a.out;
+  EXPECT_EQ(fs::file_size(file("part.stl")), 4u);
+}
+
+TEST_F(Design, InterruptedLeavesNothing) {
+  const BenchAnswer a = design(fmt::format("spin ellipsoid -o {} --resolution 512", file("part.stl")),
+                               "timeout --preserve-status -s INT 1");
+  EXPECT_EQ(a.code, 130) << a.out;
+  EXPECT_EQ(files(), 0u);
+}
+
+struct Mistake {
+  const char *arguments, *says;
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.arguments; }
+
+class DesignMistake : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(DesignMistake, GetsOneLineAndExitCodeTwo) {
+  const TemporaryFolder folder;
+  const BenchAnswer a = design(GetParam().arguments, fmt::format("cd '{}';", folder.path.string()));
+  EXPECT_EQ(a.code, 2) << a.out;
+  EXPECT_EQ(std::ranges::count(a.out, '\n'), 1) << a.out;
+  EXPECT_EQ(a.out.find("design: "), 0u) << a.out;
+  EXPECT_NE(a.out.find(GetParam().says), std::string::npos) << a.out;
+  EXPECT_TRUE(fs::is_empty(folder.path));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, DesignMistake,
+    ::testing::Values(Mistake{"spin ellipsoid", "--output is required"},
+                      Mistake{"spin -o part.stl", "model is required"},
+                      Mistake{"spni ellipsoid -o part.stl", "did you mean 'spin'?"},
+                      Mistake{"spin nosuch.stl -o part.stl", "no such file"},
+                      Mistake{"spin elipsoid -o part.stl", "did you mean 'ellipsoid'?"},
+                      Mistake{"spin ellipsoid -o part.xyz", "expected"},
+                      Mistake{"spin ellipsoid -o no/such/part.stl", "expected an existing folder"},
+                      Mistake{"spin ellipsoid -o /proc/part.stl", "/proc"},
+                      Mistake{"spin ellipsoid -o part.stl --wall 0.2 --resolution 200",
+                              "thinner than the printer's accuracy"},
+                      Mistake{"spin ellipsoid -o part.stl --wall 50%", "leaves no interior"},
+                      Mistake{"spin ellipsoid -o part.stl --cut 1,2", "expected auto, or a plane"},
+                      Mistake{"spin ellipsoid -o part.stl --cut 0,0,1,900 --resolution 24",
+                              "misses the part"},
+                      Mistake{"stand kitten -o part.stl --axle 3", "'--axle' was not expected"}));
+
+}  // namespace
+}  // namespace kreisel

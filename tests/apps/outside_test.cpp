@@ -1,0 +1,108 @@
+// outside_test.cpp - what PrusaSlicer, admesh and CGAL say of the parts that `design` writes. What is not
+// installed is skipped. Their exit codes say little: what they print is read.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "apps/run_design.hpp"
+#include "temporary_folder.hpp"
+
+namespace kreisel {
+namespace {
+
+bool installed(const std::string& program) {
+  return std::system(fmt::format("command -v '{}' > /dev/null 2>&1", program).c_str()) == 0;
+}
+
+/// The number behind `name` and blanks or '='; NaN without one.
+double number_after(const std::string& name, const std::string& text) {
+  std::smatch found;
+  if (!std::regex_search(text, found, std::regex(name + R"([ =:]+([-+.0-9eE]+))"))) return std::nan("");
+  return std::stod(found[1]);
+}
+
+/// A part for each problem, made once for all tests.
+class Outside : public ::testing::Test {
+ protected:
+  struct Part {
+    std::string file;
+    nlohmann::json report;
+  };
+
+  static void SetUpTestSuite() {
+    folder = std::make_unique<TemporaryFolder>();
+    for (const auto& [name, arguments] :
+         {std::pair{"top", "spin ellipsoid"}, {"duck", "float duck --draft 50%"}}) {
+      const std::string stl = (folder->path / name).string() + ".stl", json = stl + ".json";
+      const BenchAnswer a =
+          design(fmt::format("{} -o {} --json {} --resolution 40 --fineness 24", arguments, stl, json));
+      EXPECT_EQ(a.code, 0) << a.out;
+      parts.push_back({stl, nlohmann::json::parse(std::ifstream(json), nullptr, false)});
+    }
+  }
+  static void TearDownTestSuite() {
+    parts.clear();
+    folder.reset();
+  }
+
+  [[nodiscard]] static double volume(const Part& part) { return part.report.at("after").at("volume_mm3"); }
+
+  static std::unique_ptr<TemporaryFolder> folder;
+  static std::vector<Part> parts;
+};
+
+std::unique_ptr<TemporaryFolder> Outside::folder;
+std::vector<Outside::Part> Outside::parts;
+
+TEST_F(Outside, PrusaSlicerSaysManifoldAndTheSameVolume) {
+  if (!installed("prusa-slicer")) GTEST_SKIP() << "prusa-slicer is not installed";
+  for (const Part& part : parts) {
+    const std::string said = shell(fmt::format("prusa-slicer --info {}", part.file)).out;
+    EXPECT_NE(said.find("manifold = yes"), std::string::npos) << said;
+    EXPECT_EQ(said.find("open_edges"), std::string::npos) << said;
+    EXPECT_EQ(said.find("facets_reversed"), std::string::npos) << said;
+    // Single precision; a cavity that faced outward would add.
+    EXPECT_NEAR(number_after("volume", said), volume(part), 1e-4 * volume(part)) << said;
+  }
+}
+
+TEST_F(Outside, PrusaSlicerSlicesATop) {
+  if (!installed("prusa-slicer")) GTEST_SKIP() << "prusa-slicer is not installed";
+  const std::string gcode = parts.front().file + ".gcode";
+  const std::string said =
+      shell(fmt::format("prusa-slicer --export-gcode --layer-height 0.3 --support-material -o {} {}", gcode,
+                        parts.front().file))
+          .out;
+  ASSERT_TRUE(std::filesystem::exists(gcode)) << said;
+  EXPECT_GT(std::filesystem::file_size(gcode), 100000u) << said;
+}
+
+TEST_F(Outside, AdmeshFindsNothingToMend) {
+  if (!installed("admesh")) GTEST_SKIP() << "admesh is not installed";
+  for (const Part& part : parts) {
+    const std::string said = shell(fmt::format("admesh {}", part.file)).out;
+    for (const char* fault : {"Degenerate facets", "Edges fixed", "Facets removed", "Facets added",
+                              "Facets reversed", "Backwards edges"})
+      EXPECT_EQ(number_after(fault, said), 0) << fault << '\n' << said;
+    EXPECT_NEAR(number_after("Volume", said), volume(part), 1e-4 * volume(part)) << said;
+  }
+}
+
+TEST_F(Outside, CgalFindsASurfaceThatBoundsAVolumeAndDoesNotRunThroughItself) {
+  if (!std::filesystem::exists(KREISEL_CGAL_CHECK)) GTEST_SKIP() << "cgal_check was not built";
+  for (const Part& part : parts) {
+    const std::string said = shell(fmt::format("'{}' {}", KREISEL_CGAL_CHECK, part.file)).out;
+    EXPECT_NE(said.find("closed 1 self_intersects 0 bounds_volume 1"), std::string::npos) << said;
+    EXPECT_EQ(number_after("triangles", said), part.report.at("triangles").get<double>());
+    EXPECT_NEAR(number_after("bounds_volume [01] volume", said), volume(part), 1e-6 * volume(part)) << said;
+  }
+}
+
+}  // namespace
+}  // namespace kreisel

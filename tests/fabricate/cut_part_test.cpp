@@ -1,0 +1,76 @@
+#include "fabricate/cut_part.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "body/mesh_moments.hpp"
+#include "error.hpp"
+#include "mesh/check.hpp"
+#include "mesh/self_intersections.hpp"
+#include "mesh/shapes.hpp"
+
+namespace kreisel {
+namespace {
+
+/// A box with a box-shaped cavity in it, turned.
+MaterialPart hollow_box(const Eigen::Matrix3d& turn) {
+  return {"part",
+          2,
+          {moved(box_mesh({-2, -3, -4}, {2, 3, 4}), turn, Vec3::Zero()),
+           moved(inverted(box_mesh({-1, -2, -3}, {1, 2, 3})), turn, Vec3::Zero())}};
+}
+
+Moments moments(const MaterialPart& part) {
+  Moments s = Moments::Zero();
+  for (const TriangleMesh& mesh : part.surfaces) s += reference::mesh_moments(mesh).value;
+  return s;
+}
+
+TEST(CutPart, MakesTwoSolidHalvesThatAddUpToThePart) {
+  Random random(7);
+  for (const double offset : {0.0, 0.7, -2.4, 2.5}) {
+    const Eigen::Matrix3d turn = random_rotation(random);
+    const MaterialPart part = hollow_box(turn);
+    const Cut plane{3 * turn.col(2), 3 * offset, 0};  // a normal of any length
+    const std::vector<MaterialPart> halves = cut_part(part, std::vector{plane});
+    ASSERT_EQ(halves.size(), 2u);
+    EXPECT_EQ(halves[0].name, "upper");
+    EXPECT_EQ(halves[1].name, "lower");
+    for (const MaterialPart& half : halves) {
+      EXPECT_EQ(half.density, 2);
+      ASSERT_EQ(half.surfaces.size(), 1u);
+      EXPECT_NO_THROW(require_solid(half.surfaces[0], half.name));
+      EXPECT_TRUE(self_intersections(half.surfaces[0]).empty());
+    }
+    // Corners are rounded to single precision: 3e-7 of coordinates up to 5.4, areas up to 2 * 52 + 2 * 22.
+    EXPECT_LT((moments(halves[0]) + moments(halves[1]) - moments(part)).cwiseAbs().maxCoeff(), 1e-2);
+    EXPECT_NEAR(moments(halves[0])[S1] + moments(halves[1])[S1], moments(part)[S1], 148 * 3.2e-7);
+    // The section is a frame of 4 x 6 less 2 x 4; the plane may move by a thousandth of the size.
+    const double above = 24 * (4 - offset) - 8 * (3 - offset);
+    EXPECT_NEAR(moments(halves[0])[S1], above, 16 * 1e-3 * 10.8);
+  }
+}
+
+TEST(CutPart, MakesPiecesOfSeveralPlanes) {
+  const MaterialPart part = hollow_box(Eigen::Matrix3d::Identity());
+  const std::vector<MaterialPart> pieces =
+      cut_part(part, std::vector{Cut{Vec3::UnitZ(), 0.1, 0}, Cut{Vec3::UnitX(), 0.1, 0}});
+  ASSERT_EQ(pieces.size(), 4u);
+  double sum = 0;
+  for (const MaterialPart& piece : pieces) {
+    EXPECT_NO_THROW(require_solid(piece.surfaces[0], piece.name));
+    sum += moments(piece)[S1];
+  }
+  EXPECT_NEAR(sum, moments(part)[S1], 1e-4);
+  EXPECT_EQ(pieces[3].name, "piece-4");
+}
+
+TEST(CutPart, RefusesAPlaneThatMisses) {
+  EXPECT_THROW(
+      (void)cut_part(hollow_box(Eigen::Matrix3d::Identity()), std::vector{Cut{Vec3::UnitZ(), 4.5, 0}}),
+      InputError);
+}
+
+}  // namespace
+}  // namespace kreisel
