@@ -22,9 +22,10 @@ void append(std::string& bytes, const Vec3& v) {
 }  // namespace
 
 std::string encode_stl(const std::vector<TriangleMesh>& parts, const std::string& name) {
-  const TriangleMesh mesh = joined(parts, name);
+  TriangleMesh mesh = joined(parts, name);
   require_coordinates_within(double(std::numeric_limits<float>::max()), "coordinates within float", mesh,
                              name);
+  for (Vec3& v : mesh.vertices) v = v.cast<float>().cast<double>();  // normals are those of what is written
   std::string bytes = header_text;
   bytes.resize(header_bytes);
   const auto count = std::uint32_t(mesh.triangles.size());
