@@ -1,8 +1,7 @@
 // cell_moments.cl - what of the interior lies in each cell of an octree: ten sums over its voxels, exactly.
 // [SpinIt, s. 5.3]
 //
-// in    cube   uint  [n]        corner, ix | iy << 10 | iz << 20, in voxels
-// in    edge   uint  [n]        of the cube in voxels, at most 256; 0 in the padding
+// in    cube   ushort4 [n]      corner ix, iy, iz and edge, in voxels; edges at most 256
 // in    first  uint  [nx*ny+1]  of each column ix + nx iy, its first run; then the number of runs
 // in    ix     uint  [runs]     the column's ix again
 // in    low    uint  [runs]     a run of interior voxels: low <= iz < high; columns in order, runs upwards
@@ -32,36 +31,44 @@ static inline uint TOTAL(uint8 v) {
 }
 #endif
 
-kernel void cell_moments(CellParams p, global const uint* cube, global const uint* edge, global const uint* first,
-                         global const uint* ix, global const uint* low, global const uint* high, global ulong* sums) {
+// A run's ends in the cube, from 0: below the cube both are 0, above it both e.
+#define CLIP(r, ends) (min(max(LOAD_RUNS(r, ends), (runs)z0) - z0, (runs)e))
+
+kernel void cell_moments(CellParams p, global const ushort4* cube, global const uint* first, global const uint* ix,
+                         global const uint* low, global const uint* high, global ulong* sums) {
   const int c = get_global_id(0);
   if (c >= p.n) return;
-  const uint x0 = cube[c] & 1023u, y0 = cube[c] >> 10 & 1023u, z0 = cube[c] >> 20, e = edge[c];
+  const uint x0 = cube[c].x, y0 = cube[c].y, z0 = cube[c].z, e = cube[c].w;
   // A cube may lie beyond the grid's end in part, or as a whole.
   const uint left = min(x0, (uint)p.nx), x1 = min(x0 + e, (uint)p.nx), y1 = min(y0 + e, (uint)p.ny);
   ulong s[10];
   for (int k = 0; k < 10; ++k) s[k] = 0;
+  ulong whole = 0, whole_j = 0, whole_jj = 0;  // rows without shell, and sums of their j, j^2
   for (uint y = y0; y < y1; ++y) {
     const uint begin = first[y * p.nx + left], end = first[y * p.nx + x1];
-    if (begin == end) continue;
-    runs n = 0, in = 0, iin = 0, kn = 0, ikn = 0, kkn = 0;
+    runs n = 0;
+    for (uint r = begin; r < end; r += RUNS) n += KEEP(r, end, CLIP(r, high) - CLIP(r, low));
+    const ulong j = y - y0, row = TOTAL(n);
+    if (row == 0) continue;
+    if (row == e * e) {  // most rows of most cubes
+      ++whole;
+      whole_j += j;
+      whole_jj += j * j;
+      continue;
+    }
+    runs in = 0, iin = 0, kn = 0, ikn = 0, kkn = 0;
     for (uint r = begin; r < end; r += RUNS) {
-      // The run's ends in the cube: a .. b, from 0; below the cube both are 0, above it both e.
-      const runs a = min(max(LOAD_RUNS(r, low), (runs)z0) - z0, (runs)e);
-      const runs b = min(max(LOAD_RUNS(r, high), (runs)z0) - z0, (runs)e);
-      const runs count = KEEP(r, end, b - a);
-      const runs i = LOAD_RUNS(r, ix) - x0;
+      const runs a = CLIP(r, low), b = CLIP(r, high), count = KEEP(r, end, b - a), i = LOAD_RUNS(r, ix) - x0;
       // Of k and k^2 over a <= k < b. (a + b - 1) count is even; 2 (a^2 + ab + b^2) - 3 (a + b) + 1 times count is
       // six times the second.
       const runs sum = a + b, k = (sum - 1) * count / 2;
-      n += count;
       in += i * count;
       iin += i * i * count;
       kn += k;
       ikn += i * k;
       kkn += count * (2 * (sum * sum - a * b) - 3 * sum + 1) / 6;
     }
-    const ulong j = y - y0, row = TOTAL(n), along_x = TOTAL(in), along_z = TOTAL(kn);
+    const ulong along_x = TOTAL(in), along_z = TOTAL(kn);
     s[0] += row;
     s[1] += along_x;
     s[2] += j * row;
@@ -73,5 +80,16 @@ kernel void cell_moments(CellParams p, global const uint* cube, global const uin
     s[8] += j * j * row;
     s[9] += TOTAL(kkn);
   }
+  const ulong ee = e * e, one = e * (e - 1) / 2, two = one * (2 * e - 1) / 3;  // sums of 1, i, i^2 along a row: e, one, two
+  s[0] += whole * ee;
+  s[1] += whole * e * one;
+  s[2] += whole_j * ee;
+  s[3] += whole * e * one;
+  s[4] += whole_j * e * one;
+  s[5] += whole_j * e * one;
+  s[6] += whole * one * one;
+  s[7] += whole * e * two;
+  s[8] += whole_jj * ee;
+  s[9] += whole * e * two;
   for (int k = 0; k < 10; ++k) sums[10 * (size_t)c + k] = s[k];
 }

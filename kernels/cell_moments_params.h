@@ -4,7 +4,7 @@
 #include "params.h"
 PARAMS_BEGIN(CellParams)
   int nx, ny; /* columns of the grid */
-  int n;      /* cubes, padded */
+  int n;      /* cubes */
   int pad_;
 PARAMS_END(CellParams)
 #endif

@@ -127,6 +127,8 @@ def about_html(about):
 
 def section_html(section):
     found = [orientation_map.read(path) if records.is_map(path) else records.read(path) for path in section["records"]]
+    for record, simulation in section.get("simulations", {}).items():  # for simulate.py
+        next(run for run in found if str(run["path"]) == record)["simulation"] = simulation
     lines = [f'<h2 id="{text(section["name"])}">{text(section["title"])}</h2>', about_html(section["about"])]
     counts = f"{len(found)} records of <code>bench run {text(section['name'])}</code>"
     dates = sorted(run["provenance"]["started"] for run in found if run["provenance"].get("started"))

@@ -128,18 +128,31 @@ def stand_figure(found):
 FIGURES = {"spin": spin_figure, "float": float_figure, "stand": stand_figure}
 
 
+def drawn(found, name):
+    """The figure of one simulation, with its caption. name: what it was read from."""
+    kind = next((kind for kind in FIGURES if kind in found["part"]), None)
+    if kind is None:
+        raise records.BadRecord(f"{name}: nothing to draw, expected one of {', '.join(FIGURES)}")
+    figure, text = FIGURES[kind](found)
+    low = style.caption(figure, text)
+    figure.tight_layout(rect=(0, low, 1, 1))
+    return figure
+
+
+def figures(found, _published):
+    """For report.py: a figure each of the runs that `bench report` has simulated."""
+    simulated = [run["simulation"] for run in found if run.get("simulation")]
+    if not simulated:
+        raise records.BadRecord("no part of these runs can be set in motion")
+    return [drawn(read(path), path) for path in simulated]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("record", help="HDF5 file that bench simulate --record wrote")
     parser.add_argument("-o", "--output", default="simulate.png", help="PNG to write (default %(default)s)")
     args = parser.parse_args()
-    found = read(args.record)
-    kind = next((kind for kind in FIGURES if kind in found["part"]), None)
-    if kind is None:
-        raise records.BadRecord(f"{args.record}: nothing to draw, expected one of {', '.join(FIGURES)}")
-    figure, text = FIGURES[kind](found)
-    low = style.caption(figure, text)
-    figure.tight_layout(rect=(0, low, 1, 1))
+    figure = drawn(read(args.record), args.record)
     records.save(figure, args.output)
     print(args.output)
 

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <thread>
@@ -12,6 +11,7 @@
 
 #include "device/buffer.hpp"
 #include "device/program.hpp"
+#include "stopwatch.hpp"
 
 namespace kreisel::device {
 namespace {
@@ -78,13 +78,12 @@ double flop_rate(Device& device, bool single) {
 double on_all_threads(const std::function<void(unsigned)>& work) {
   std::vector<double> seconds;
   for (int i = 0; i <= launches; ++i) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     {
       std::vector<std::jthread> threads;
       for (unsigned t = 0; t < std::thread::hardware_concurrency(); ++t) threads.emplace_back(work, t);
     }
-    if (i > 0)
-      seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    if (i > 0) seconds.push_back(watch.seconds());
   }
   return median_of(std::move(seconds));
 }

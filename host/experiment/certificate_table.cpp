@@ -11,28 +11,22 @@ namespace kreisel {
 namespace {
 
 Sheet empty_sheet(bool labels) {
-  return Sheet({{"label", "", labels ? "label" : "", true},
-                {"model", "", "model", true},
-                {"grid", "", "grid", true},
-                {"problem", "", "problem", true},
-                {"formulation", "", "formulation", true},
-                {"domain", "", "domain", true},
-                {"rays", "", "rays"},
-                {"termination", "", "termination", true},
-                {"seconds", "solve", "seconds"},
-                {"objective", "solve", "f"},
-                {"certificate", "certificate", "kind", true},
-                {"bound", "certificate", "bound"},
-                {"gap_percent", "certificate", "gap %"},
-                {"boxes", "certificate", "boxes"},
-                {"certificate_seconds", "certificate", "seconds"}});
+  return sheet_of_runs({{"domain", "", "domain", true},
+                        {"rays", "", "rays"},
+                        {"termination", "", "termination", true},
+                        {"seconds", "solve", "seconds"},
+                        {"objective", "solve", "f"},
+                        {"certificate", "certificate", "kind", true},
+                        {"bound", "certificate", "bound"},
+                        {"gap_percent", "certificate", "gap %"},
+                        {"boxes", "certificate", "boxes"},
+                        {"certificate_seconds", "certificate", "seconds"}},
+                       labels);
 }
 
 std::vector<Cell> row_of(const RecordedRun& run) {
-  const RunConfig& config = run.run.config;
   const SolveCells solve(run);
-  std::vector<Cell> cells = {run.run.label, model_text(config), grid_text(run), config.problem,
-                             config.formulation};
+  std::vector<Cell> cells = opening_cells(run);
   const bool known = has_result(run), certified = known && run.record->bound.has_value();
   cells.push_back(known ? Cell(run.record->domain) : Cell::none());
   cells.push_back(known ? Cell(fmt::format("{}", run.record->rays)) : Cell::none());

@@ -11,24 +11,21 @@ namespace kreisel {
 namespace {
 
 Sheet empty_sheet() {
-  return Sheet({{"label", "", "label", true},
-                {"model", "", "model", true},
-                {"grid", "", "grid", true},
-                {"voxels", "cells", "voxels"},
-                {"variables", "cells", "variables"},
-                {"variables_percent", "cells", "%"},
-                {"along_voids", "cells", "along"},
-                {"rounds", "", "rounds"},
-                {"termination", "", "termination", true},
-                {"solve_seconds", "seconds", "solve"},
-                {"whole_seconds", "seconds", "whole"},
-                {"peak_gib", "", "GiB"},
-                {"objective", "f", "optimum"},
-                {"rounded_objective", "f", "part"},
-                {"bound", "f", "bound"},
-                {"rounded_gap_percent", "part", "gap %"},
-                {"rounded_violation", "part", "violation"},
-                {"verified", "", "verified", true}});
+  return sheet_of_runs({{"voxels", "cells", "voxels"},
+                        {"variables", "cells", "variables"},
+                        {"variables_percent", "cells", "%"},
+                        {"along_voids", "cells", "along"},
+                        {"rounds", "", "rounds"},
+                        {"termination", "", "termination", true},
+                        {"solve_seconds", "seconds", "solve"},
+                        {"whole_seconds", "seconds", "whole"},
+                        {"peak_gib", "", "GiB"},
+                        {"objective", "f", "optimum"},
+                        {"rounded_objective", "f", "part"},
+                        {"bound", "f", "bound"},
+                        {"rounded_gap_percent", "part", "gap %"},
+                        {"rounded_violation", "part", "violation"},
+                        {"verified", "", "verified", true}});
 }
 
 /// How far the rounded part's objective lies above the certified bound, per cent of the bound.
@@ -38,7 +35,7 @@ std::optional<double> rounded_gap(const RecordSummary& r) {
 }
 
 std::vector<Cell> row_of(const RecordedRun& run) {
-  std::vector<Cell> cells = {run.run.label, model_text(run.run.config), grid_text(run)};
+  std::vector<Cell> cells = opening_cells(run);
   const SolveCells solve(run);
   if (!has_result(run)) {
     cells.insert(cells.end(), 5, Cell::none());

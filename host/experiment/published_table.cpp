@@ -89,7 +89,7 @@ Tables published_tables(const std::vector<RecordedRun>& runs, const std::optiona
       "machine\n" +
       provenance_text(runs) + '\n';
   if (certified) tables.legend += certified_legend;
-  if (published) tables.legend += fmt::format("paper: {}; {}\n", published->source, published->machine);
+  tables.legend += paper_text(published);
   return tables;
 }
 

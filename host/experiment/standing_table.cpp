@@ -85,7 +85,7 @@ Tables standing_tables(const std::vector<RecordedRun>& runs, const std::optional
       "the "
       "base's centroid; topples: at the least tilt over any edge of the base\n" +
       provenance_text(runs) + '\n';
-  if (published) tables.legend += fmt::format("paper: {}; {}\n", published->source, published->machine);
+  tables.legend += paper_text(published);
   return tables;
 }
 

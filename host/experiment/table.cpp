@@ -86,12 +86,7 @@ std::string table_csv(const Experiment& experiment, const std::vector<RecordedRu
 }
 
 Tables runs_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>&) {
-  std::vector<Sheet::Column> columns = {{"label", "", "label", true},
-                                        {"model", "", "model", true},
-                                        {"grid", "", "grid", true},
-                                        {"problem", "", "problem", true},
-                                        {"formulation", "", "formulation", true},
-                                        {"solver", "", "solver", true},
+  std::vector<Sheet::Column> columns = {{"solver", "", "solver", true},
                                         {"variables", "", "variables"},
                                         {"iterations", "", "iterations"},
                                         {"termination", "", "termination", true},
@@ -106,17 +101,15 @@ Tables runs_tables(const std::vector<RecordedRun>& runs, const std::optional<Pub
                                         {"error", "", ""}};
   const bool certified = any_certified(runs);
   if (certified) columns.push_back({"gap_percent", "", "gap %"});
-  Sheet sheet(std::move(columns));
+  Sheet sheet = sheet_of_runs(std::move(columns));
   std::string errors;
   for (const RecordedRun& run : runs) {
-    const RunConfig& config = run.run.config;
     const SolveCells solve(run);
-    std::vector<Cell> cells = {run.run.label,   model_text(config), grid_text(run),
-                               config.problem,  config.formulation, solver_of(config),
-                               solve.variables, solve.iterations,   termination_text(run),
-                               solve.seconds,   solve.half_iqr,     solve.samples,
-                               solve.objective, solve.violation,    solve.verified,
-                               solve.device,    solve.commit,       run.record ? run.record->error : ""};
+    std::vector<Cell> cells = opening_cells(run);
+    cells.insert(cells.end(),
+                 {solver_of(run.run.config), solve.variables, solve.iterations, termination_text(run),
+                  solve.seconds, solve.half_iqr, solve.samples, solve.objective, solve.violation,
+                  solve.verified, solve.device, solve.commit, run.record ? run.record->error : ""});
     if (certified) cells.push_back(gap_cell(run));
     sheet.add(std::move(cells));
     errors += note_of(run, false);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "experiment/run_text.hpp"
 
@@ -96,6 +97,25 @@ std::string note_of(const RecordedRun& run, bool unless_optimal, std::string nam
   const std::string& words = r.error.empty() ? r.message : r.error;
   if (name.empty()) name = run_text(run.run.config);
   return fmt::format("! {}: {}{}{}\n", name, termination_text(run), words.empty() ? "" : " - ", words);
+}
+
+Sheet sheet_of_runs(std::vector<Sheet::Column> more, bool labels) {
+  const std::vector<Sheet::Column> opening = {{"label", "", labels ? "label" : "", true},
+                                              {"model", "", "model", true},
+                                              {"grid", "", "grid", true},
+                                              {"problem", "", "problem", true},
+                                              {"formulation", "", "formulation", true}};
+  more.insert(more.begin(), opening.begin(), opening.end());
+  return Sheet(std::move(more));
+}
+
+std::vector<Cell> opening_cells(const RecordedRun& run) {
+  const RunConfig& config = run.run.config;
+  return {run.run.label, model_text(config), grid_text(run), config.problem, config.formulation};
+}
+
+std::string paper_text(const std::optional<Published>& published) {
+  return published ? fmt::format("paper: {}; {}\n", published->source, published->machine) : "";
 }
 
 SolveCells::SolveCells(const RecordedRun& run) {

@@ -52,6 +52,15 @@ inline constexpr std::string_view certified_legend =
 /// @param name  what the table calls the run; empty: as run_text() does
 [[nodiscard]] std::string note_of(const RecordedRun& run, bool unless_optimal = true, std::string name = {});
 
+/// A sheet with a row a run. Its columns open with label, model and grid, and what is solved by which
+/// formulation; `more` follow. @param labels  are to be seen
+[[nodiscard]] Sheet sheet_of_runs(std::vector<Sheet::Column> more, bool labels = true);
+/// The cells with which a row of that opens.
+[[nodiscard]] std::vector<Cell> opening_cells(const RecordedRun& run);
+
+/// "paper: SOURCE; MACHINE", a line; empty without one.
+[[nodiscard]] std::string paper_text(const std::optional<Published>& published);
+
 /// The cells that most tables have, "-" without a result.
 struct SolveCells {
   explicit SolveCells(const RecordedRun& run);

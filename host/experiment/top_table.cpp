@@ -15,12 +15,7 @@ namespace {
 /// @param tops  any of the runs is of a problem with a least speed
 Sheet empty_sheet(bool tops, bool certified) {
   const auto of_tops = [&](const char* heading) { return tops ? heading : ""; };
-  std::vector<Sheet::Column> columns = {{"label", "", ""},
-                                        {"model", "", "model", true},
-                                        {"grid", "", "grid", true},
-                                        {"problem", "", "problem", true},
-                                        {"formulation", "", "formulation", true},
-                                        {"settings", "", "settings", true},
+  std::vector<Sheet::Column> columns = {{"settings", "", "settings", true},
                                         {"termination", "", "", true},
                                         {"objective", "", "f"},
                                         {"mass_percent", "", "mass %"},
@@ -36,7 +31,7 @@ Sheet empty_sheet(bool tops, bool certified) {
                                         {"omega_reduction_published", "reduction", of_tops("paper")},
                                         {"verified", "", "verified", true}};
   if (certified) columns.push_back({"gap_percent", "", "gap %"});
-  return Sheet(std::move(columns));
+  return sheet_of_runs(std::move(columns), false);
 }
 
 bool falls(const RunConfig& config) { return config.problem != "yoyo"; }  // that spins about its own centre
@@ -55,8 +50,8 @@ std::string settings_text(const RunConfig& config) {
 std::vector<Cell> row_of(const RecordedRun& run, const std::optional<Published>& published, bool certified) {
   const RunConfig& config = run.run.config;
   const SolveCells solve(run);
-  std::vector<Cell> row = {run.run.label,      model_text(config),    grid_text(run),        config.problem,
-                           config.formulation, settings_text(config), termination_text(run), solve.objective};
+  std::vector<Cell> row = opening_cells(run);
+  row.insert(row.end(), {settings_text(config), termination_text(run), solve.objective});
   if (has_result(run) && run.record->written[S1] > 0) {
     const RecordSummary& r = *run.record;
     const SpinState solid = spin_state(r.solid), part = spin_state(r.written);

@@ -11,21 +11,16 @@ namespace kreisel {
 namespace {
 
 Sheet empty_sheet() {
-  return Sheet({{"label", "", "label", true},
-                {"model", "", "model", true},
-                {"grid", "", "grid", true},
-                {"problem", "", "problem", true},
-                {"formulation", "", "formulation", true},
-                {"termination", "", "termination", true},
-                {"objective", "", "f"},
-                {"verified", "", "verified", true},
-                {"voids_mm3", "here", "mm^3"},
-                {"largest_percent", "here", "largest, %"},
-                {"islands", "here", "islands"},
-                {"voids", "here", "voids"},
-                {"cuts", "here", "cuts"},
-                {"published_voids", "paper", "voids"},
-                {"published_cuts", "paper", "cuts"}});
+  return sheet_of_runs({{"termination", "", "termination", true},
+                        {"objective", "", "f"},
+                        {"verified", "", "verified", true},
+                        {"voids_mm3", "here", "mm^3"},
+                        {"largest_percent", "here", "largest, %"},
+                        {"islands", "here", "islands"},
+                        {"voids", "here", "voids"},
+                        {"cuts", "here", "cuts"},
+                        {"published_voids", "paper", "voids"},
+                        {"published_cuts", "paper", "cuts"}});
 }
 
 const PublishedRow::Voids* printed(const RecordedRun& run, const std::optional<Published>& published) {
@@ -48,10 +43,9 @@ Tables voids_tables(const std::vector<RecordedRun>& runs, const std::optional<Pu
   Sheet sheet = empty_sheet();
   std::string notes;
   for (const RecordedRun& run : runs) {
-    const RunConfig& config = run.run.config;
     const SolveCells solve(run);
-    std::vector<Cell> cells = {run.run.label,      model_text(config),    grid_text(run),  config.problem,
-                               config.formulation, termination_text(run), solve.objective, solve.verified};
+    std::vector<Cell> cells = opening_cells(run);
+    cells.insert(cells.end(), {termination_text(run), solve.objective, solve.verified});
     if (has_result(run)) {
       const RecordSummary& r = *run.record;
       const std::optional<double> largest =
@@ -72,7 +66,7 @@ Tables voids_tables(const std::vector<RecordedRun>& runs, const std::optional<Pu
       "voids: pieces of the void that hang together; largest: its share of them; islands: pieces loose in "
       "one; cuts: planes that open every void, chosen greedily, so no more than these are needed\n" +
           provenance_text(runs) + '\n'};
-  if (published) tables.legend += fmt::format("paper: {}; {}\n", published->source, published->machine);
+  tables.legend += paper_text(published);
   return tables;
 }
 

@@ -169,10 +169,11 @@ TriangleMesh without_small_shells(const TriangleMesh& cavity, double least_volum
 
 std::string Voids::text() const {
   if (pieces.empty()) return "none";
+  const auto shown = [](double component) { return std::round(1e3 * component) / 1e3 + 0.0; };  // no -0
   std::vector<std::string> planes;
   for (const Cut& cut : cuts)
-    planes.push_back(fmt::format("{:.3g},{:.3g},{:.3g} . x = {:.4g}", cut.normal[0] + 0.0,
-                                 cut.normal[1] + 0.0, cut.normal[2] + 0.0, cut.offset));
+    planes.push_back(fmt::format("{},{},{} . x = {:.4g}", shown(cut.normal[0]), shown(cut.normal[1]),
+                                 shown(cut.normal[2]), cut.offset));
   return fmt::format("{} void{} of {} mm^3, opened by {} planar cut{}: {}", pieces.size(),
                      pieces.size() == 1 ? "" : "s", list_of(pieces), cuts.size(), cuts.size() == 1 ? "" : "s",
                      fmt::join(planes, "; "));

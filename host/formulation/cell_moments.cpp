@@ -1,6 +1,7 @@
 #include "formulation/cell_moments.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "cell_moments_params.h"
 #include "device/program.hpp"
@@ -45,11 +46,19 @@ CubeSums in_parent(const CubeSums& s, const Cube& cube) {
 }
 
 Moments moments_of(const Grid& grid, const Cube& cube, const CubeSums& sums) {
-  Moments s;
+  const double h = grid.h, x = grid.centre(0, cube.x), y = grid.centre(1, cube.y), z = grid.centre(2, cube.z);
+  Moments s;  // of voxels of unit volume at (i, j, k) h from the corner one
   for (int k = 0; k < 10; ++k) s[k] = static_cast<double>(sums[static_cast<std::size_t>(k)]);
-  for (const int k : {SXX, SYY, SZZ}) s[k] += s[S1] / 12;  // of a voxel's own extent
-  return transformed(scaled(s, grid.h, 1), Eigen::Matrix3d::Identity(),
-                     {grid.centre(0, cube.x), grid.centre(1, cube.y), grid.centre(2, cube.z)});
+  for (const int k : {SXX, SYY, SZZ}) s[k] += s[S1] / 12;  // a voxel's own extent
+  s.segment<3>(SX) *= h;
+  s.tail<6>() *= h * h;
+  const double n = s[S1];
+  Moments moved;
+  moved << n, s[SX] + x * n, s[SY] + y * n, s[SZ] + z * n, s[SXY] + x * s[SY] + y * s[SX] + x * y * n,
+      s[SYZ] + y * s[SZ] + z * s[SY] + y * z * n, s[SXZ] + x * s[SZ] + z * s[SX] + x * z * n,
+      s[SXX] + 2 * x * s[SX] + x * x * n, s[SYY] + 2 * y * s[SY] + y * y * n,
+      s[SZZ] + 2 * z * s[SZ] + z * z * n;
+  return h * h * h * moved;
 }
 
 std::vector<std::uint32_t> first_runs(const Columns& domain) {
@@ -69,36 +78,30 @@ CellMoments::CellMoments(device::Device& device, const Columns& domain)
       low_(upload_runs(device, domain, [](const Interval& run) { return run.k0; })),
       high_(upload_runs(device, domain, [](const Interval& run) { return run.k1; })),
       kernel_(device::build(device, "cell_moments"), "cell_moments") {
-  kernel_.setArg(3, first_);
-  kernel_.setArg(4, ix_);
-  kernel_.setArg(5, low_);
-  kernel_.setArg(6, high_);
+  kernel_.setArg(2, first_);
+  kernel_.setArg(3, ix_);
+  kernel_.setArg(4, low_);
+  kernel_.setArg(5, high_);
 }
 
 std::vector<CubeSums> CellMoments::operator()(std::span<const Cube> cubes) {
   std::vector<CubeSums> sums(cubes.size());
   if (cubes.empty()) return sums;
-  const std::size_t padded = device::padded(cubes.size());
-  std::vector<std::uint32_t> corners, edges;
-  corners.reserve(cubes.size());
-  edges.reserve(cubes.size());
-  for (const Cube& c : cubes) {
-    corners.push_back(c.x | std::uint32_t{c.y} << 10 | std::uint32_t{c.z} << 20);
-    edges.push_back(c.edge);
-  }
-  const cl::Buffer corner = upload_words(*device_, corners), edge = upload_words(*device_, edges);
-  const cl::Buffer out = checked("allocating a device array", [&] {
-    return cl::Buffer(device_->context(), CL_MEM_WRITE_ONLY, padded * sizeof(CubeSums));
+  const auto [corners, out] = checked("allocating device arrays", [&] {
+    return std::pair(cl::Buffer(device_->context(), CL_MEM_READ_ONLY, cubes.size_bytes()),
+                     cl::Buffer(device_->context(), CL_MEM_WRITE_ONLY, sums.size() * sizeof(CubeSums)));
   });
-  kernel_.setArg(1, corner);
-  kernel_.setArg(2, edge);
-  kernel_.setArg(7, out);
+  checked("writing a device array", [&] {
+    device_->queue().enqueueWriteBuffer(corners, CL_FALSE, 0, cubes.size_bytes(), cubes.data());
+  });
+  kernel_.setArg(1, corners);
+  kernel_.setArg(6, out);
   device::set_params<CellParams>(*device_, kernel_, 0, [&](auto& p) {
     p.nx = nx_;
     p.ny = ny_;
-    p.n = static_cast<int>(padded);
+    p.n = static_cast<int>(cubes.size());
   });
-  device_->run(kernel_, padded, device::padding);
+  device_->run(kernel_, device::padded(cubes.size()), device::padding);
   checked("reading a device array", [&] {
     device_->queue().enqueueReadBuffer(out, CL_TRUE, 0, sums.size() * sizeof(CubeSums), sums.data());
   });

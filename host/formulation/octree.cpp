@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "error.hpp"
-#include "formulation/cell_moments.hpp"
+#include "formulation/leaves.hpp"
 #include "parse.hpp"
 
 namespace kreisel {
@@ -19,16 +19,6 @@ struct OctreeOptions {
   int start_level = 0;
 };
 
-/// A leaf that has interior.
-struct Leaf {
-  Cube cube;
-  CubeSums sums;
-  double fill = 0;     ///< while refining
-  bool quiet = false;  ///< agrees with all around it, while refining
-
-  [[nodiscard]] bool full() const { return voxels(sums) == std::uint64_t{cube.edge} * cube.edge * cube.edge; }
-};
-
 class Octree final : public Formulation {
  public:
   Octree(const Columns& domain, const OctreeOptions& options, device::Device& device)
@@ -36,7 +26,7 @@ class Octree final : public Formulation {
         options_(options),
         levels_(octree_levels(domain.grid)),
         first_(first_runs(domain)),
-        kernel_(device, domain) {
+        leaves_(domain, device) {
     restart();
   }
 
@@ -64,11 +54,7 @@ class Octree final : public Formulation {
   const SparseForm* regulariser() const override { return weight_ > 0 ? &regulariser_ : nullptr; }
 
   void restart() override {
-    const std::vector<Cube> cubes = uniform_cubes(domain_.grid, 1 << (levels_ - options_.start_level));
-    const std::vector<CubeSums> sums = kernel_(cubes);
-    leaves_.clear();
-    for (std::size_t c = 0; c < cubes.size(); ++c)
-      if (voxels(sums[c]) > 0) leaves_.push_back({cubes[c], sums[c]});
+    leaves_.start(1 << (levels_ - options_.start_level));
     update();
   }
 
@@ -80,24 +66,24 @@ class Octree final : public Formulation {
     const CellCounts counts = count_cells(x);
     const bool due = few * counts.coarse > counts.fractional || finest_ > 1;
     for (std::vector<std::uint8_t> split; split = to_split(x), std::ranges::find(split, 1) != split.end();) {
-      look_around(x);
-      split_leaves(split);
-      while (due && merge_siblings()) {
+      const std::vector<std::uint8_t> agree = agree_with_all_around(x);
+      const std::vector<std::uint8_t> count = leaves_.split(split);
+      std::vector<double> fill;
+      std::vector<std::uint8_t> quiet;
+      for (std::size_t c = 0; c < count.size(); ++c) {
+        fill.insert(fill.end(), count[c], x[c]);
+        quiet.insert(quiet.end(), count[c], agree[c] && !split[c]);
+      }
+      x = std::move(fill);
+      while (due && merge_siblings(x, quiet)) {
       }
       update();
-      x.clear();
-      for (const Leaf& leaf : leaves_) x.push_back(leaf.fill);
       if (due) return true;
     }
     return false;
   }
 
-  std::vector<Cube> cells() const override {
-    std::vector<Cube> cubes;
-    cubes.reserve(leaves_.size());
-    for (const Leaf& leaf : leaves_) cubes.push_back(leaf.cube);
-    return cubes;
-  }
+  std::vector<Cube> cells() const override { return {leaves_.cubes().begin(), leaves_.cubes().end()}; }
 
   CellCounts count_cells(std::span<const double> x) const override {
     CellCounts counts;
@@ -106,7 +92,7 @@ class Octree final : public Formulation {
     for (const auto& [low, high] : faces_)
       if (solid(x[low]) != solid(x[high])) along[low] = along[high] = 1;
     for (std::size_t c = 0; c < leaves_.size(); ++c) {
-      const bool finest = leaves_[c].cube.edge == 1;
+      const bool finest = leaves_.cubes()[c].edge == 1;
       counts.finest += finest;
       counts.along += finest && along[c];
       counts.fractional += fractional(x[c]);
@@ -120,7 +106,7 @@ class Octree final : public Formulation {
     const Grid& grid = domain_.grid;
     for (std::size_t c = 0; c < leaves_.size(); ++c) {
       if (!solid(x[c])) continue;
-      const Cube& cube = leaves_[c].cube;
+      const Cube& cube = leaves_.cubes()[c];
       for (int iy = cube.y; iy < std::min(cube.y + cube.edge, grid.n[1]); ++iy) {
         const std::size_t row = static_cast<std::size_t>(grid.n[0]) * iy;
         const auto end = static_cast<std::size_t>(std::min(cube.x + cube.edge, grid.n[0]));
@@ -152,100 +138,58 @@ class Octree final : public Formulation {
     for (const auto& [low, high] : faces_)
       if (solid(x[low]) != solid(x[high])) split[low] = split[high] = 1;
     for (std::size_t c = 0; c < leaves_.size(); ++c)
-      if (leaves_[c].cube.edge == 1) split[c] = 0;
+      if (leaves_.cubes()[c].edge == 1) split[c] = 0;
     return split;
   }
 
-  /// Notes fills, and which leaves agree with all that share a face with them.
-  void look_around(std::span<const double> x) {
-    for (std::size_t c = 0; c < leaves_.size(); ++c) {
-      leaves_[c].fill = x[c];
-      leaves_[c].quiet = !fractional(x[c]);
-    }
+  /// Which leaves agree with all that share a face with them, to within epsilon of the same side.
+  [[nodiscard]] std::vector<std::uint8_t> agree_with_all_around(std::span<const double> x) const {
+    std::vector<std::uint8_t> quiet(leaves_.size());
+    for (std::size_t c = 0; c < leaves_.size(); ++c) quiet[c] = !fractional(x[c]);
     for (const auto& [low, high] : faces_)
       if (fractional(x[low]) || fractional(x[high]) || solid(x[low]) != solid(x[high]))
-        leaves_[low].quiet = leaves_[high].quiet = false;
+        quiet[low] = quiet[high] = 0;
+    return quiet;
   }
 
-  /// Only the parts of leaves that hold shell are summed again.
-  void split_leaves(const std::vector<std::uint8_t>& split) {
-    std::vector<Leaf> leaves;
-    std::vector<std::size_t> cut;
-    std::vector<Cube> cubes;
-    for (std::size_t c = 0; c < leaves_.size(); ++c) {
-      if (!split[c]) {
-        leaves.push_back(leaves_[c]);
-        continue;
-      }
-      for (int part = 0; part < 8; ++part) {
-        const Cube child = leaves_[c].cube.child(part);
-        if (!leaves_[c].full()) {
-          cut.push_back(leaves.size());
-          cubes.push_back(child);
-        }
-        leaves.push_back({child, full_cube(child.edge), leaves_[c].fill, false});
-      }
-    }
-    const std::vector<CubeSums> sums = kernel_(cubes);
-    for (std::size_t i = 0; i < cut.size(); ++i) leaves[cut[i]].sums = sums[i];
-    std::erase_if(leaves, [](const Leaf& leaf) { return voxels(leaf.sums) == 0; });
-    leaves_ = std::move(leaves);
-  }
-
-  /// Makes one of all leaves in a cube where these are its children and agree. @return  whether there were
-  /// any
-  bool merge_siblings() {
+  /// Makes one of all leaves in a cube where these are its children, quiet and of one side: its fill is their
+  /// mean. @return  whether there were any
+  bool merge_siblings(std::vector<double>& fill, std::vector<std::uint8_t>& quiet) {
     const int coarsest = 1 << (levels_ - options_.start_level);
-    std::vector<Leaf> leaves;
+    const std::vector<Leaves::Family> families =
+        leaves_.siblings(coarsest, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t c = begin; c < end; ++c)
+            if (!quiet[c] || solid(fill[c]) != solid(fill[begin])) return false;
+          return true;
+        });
     bool any = false;
-    for (std::size_t c = 0; c < leaves_.size();) {
-      const Cube parent = leaves_[c].cube.parent();
-      std::size_t end = c;
-      while (end < leaves_.size() && holds(parent, leaves_[end].cube)) ++end;
-      const bool first = c == 0 || !holds(parent, leaves_[c - 1].cube);
-      const bool agree = std::all_of(leaves_.begin() + c, leaves_.begin() + end, [&](const Leaf& leaf) {
-        return leaf.quiet && leaf.cube.edge == leaves_[c].cube.edge &&
-               solid(leaf.fill) == solid(leaves_[c].fill);
-      });
-      if (first && agree && parent.edge <= coarsest) {
-        leaves.push_back(merged(parent, std::span(leaves_).subspan(c, end - c)));
-        any = true;
-        c = end;
-      } else {
-        leaves.push_back(leaves_[c++]);
+    for (std::size_t i = 0; i < families.size(); ++i) {
+      const auto& [begin, end, cube] = families[i];
+      any = any || cube != leaves_.cubes()[begin];
+      quiet[i] = quiet[begin];
+      fill[i] = fill[begin];
+      if (end - begin == 1) continue;
+      double filled = 0, all = 0;
+      for (std::size_t c = begin; c < end; ++c) {
+        const auto voxels = static_cast<double>(leaves_.voxels(c));
+        filled += fill[c] * voxels;
+        all += voxels;
       }
+      fill[i] = filled / all;
     }
-    leaves_ = std::move(leaves);
+    fill.resize(families.size());
+    quiet.resize(families.size());
+    if (any) leaves_.merge(families);
     return any;
-  }
-
-  [[nodiscard]] static bool holds(const Cube& parent, const Cube& cube) {
-    const int mask = ~(parent.edge - 1);
-    return cube.edge < parent.edge && (cube.x & mask) == parent.x && (cube.y & mask) == parent.y &&
-           (cube.z & mask) == parent.z;
-  }
-
-  [[nodiscard]] static Leaf merged(const Cube& parent, std::span<const Leaf> children) {
-    Leaf leaf{parent, {}, 0, true};
-    for (const Leaf& child : children) {
-      const CubeSums sums = in_parent(child.sums, child.cube);
-      for (std::size_t k = 0; k < sums.size(); ++k) leaf.sums[k] += sums[k];
-      leaf.fill += child.fill * static_cast<double>(voxels(child.sums));
-    }
-    leaf.fill /= static_cast<double>(voxels(leaf.sums));
-    return leaf;
   }
 
   /// What follows from the leaves.
   void update() {
-    moments_.resize(10, size());
+    leaves_.moments(moments_);
     finest_ = Cube::most_edge;
-    for (std::size_t c = 0; c < leaves_.size(); ++c) {
-      moments_.col(static_cast<Eigen::Index>(c)) = moments_of(domain_.grid, leaves_[c].cube, leaves_[c].sums);
-      finest_ = std::min<int>(finest_, leaves_[c].cube.edge);
-    }
+    for (const Cube& cube : leaves_.cubes()) finest_ = std::min<int>(finest_, cube.edge);
     bounds_ = {std::vector<double>(leaves_.size(), 0.0), std::vector<double>(leaves_.size(), 1.0)};
-    faces_ = shared_faces(cells(), levels_);
+    faces_ = shared_faces(leaves_.cubes(), levels_);
     // At the void's surface a cell of edge e weighs e^4 in the objective, its volume times how far it reaches
     // from the surface, where its derivative is zero. A regulariser in proportion keeps the layer of
     // fractional cells as many cells thick at every level.
@@ -267,8 +211,7 @@ class Octree final : public Formulation {
   OctreeOptions options_;
   int levels_;
   std::vector<std::uint32_t> first_;
-  CellMoments kernel_;
-  std::vector<Leaf> leaves_;  ///< along the curve
+  Leaves leaves_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> faces_;
   Eigen::Matrix<double, 10, Eigen::Dynamic> moments_;  ///< of each leaf, body units
   int finest_ = 0;                                     ///< edge of the smallest leaf

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <numeric>
@@ -12,20 +11,11 @@
 #include "mesh/distance.hpp"
 #include "nest/rays.hpp"
 #include "parallel.hpp"
+#include "stopwatch.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel::nest {
 namespace {
-
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 /// The objective with what it asks.
 struct Asking {

@@ -16,6 +16,9 @@ class Balance final : public Problem {
   /// @param direction  of the line; nothing: the centre of mass is to be at the point itself
   Balance(const Vec3& point, const std::optional<Vec3>& direction);
 
+  [[nodiscard]] const Vec3& point() const { return point_; }
+  [[nodiscard]] const std::optional<Vec3>& direction() const { return direction_; }  ///< of unit length
+
   [[nodiscard]] std::string_view name() const override { return "balance"; }
   [[nodiscard]] Convexity convexity() const override { return Convexity::linear; }
   [[nodiscard]] Traits traits() const override { return {Filling::either_end}; }

@@ -156,6 +156,10 @@ void write_solve(Group group, const RunResult& r) {
   for (const auto& [name, value] : o.settings) group.set("setting_" + name, value);
   for (const auto& [name, value] : r.formulation_settings) group.set("formulation_" + name, value);
   write_variables(group, r);
+  if (!o.auxiliary.empty()) {  // those of principal_angle.hpp, the only problem with variables of its own
+    group.set("phi", o.auxiliary.front());
+    group.set("phi_units", "rad");
+  }
   write_moments(group, "moments", o.moments);
   write_moments(group, "moments_model", r.model_moments(o.moments), model_moment_units);
   write_history(group, o.history);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "problem/ray_direction.hpp"
 #include "run/remedies.hpp"
 #include "solve/explain.hpp"
 #include "solve/interrupt.hpp"
@@ -61,13 +62,24 @@ SolverOptions options_of(const RunConfig& config, const SolverEntry& solver) {
   return options;
 }
 
+/// Lays the body anew where rays along its axis would run along the cut, and nobody asked for them.
+Body with_rays_across_the_cut(Body body, const RunConfig& config) {
+  const BodySpec& given = config.body;
+  if (given.axis || given.up || given.axle.radius) return body;
+  const auto axis = ray_direction(config.problem, settings_of(config, "problem"), body);
+  if (!axis) return body;
+  const Body made = body;
+  reframe(body, made, *axis, given.contact.value_or(lowest_point(made.mesh, *axis)));
+  return body;
+}
+
 Body body_of(const RunConfig& config, device::Device& device, const Progress& progress) {
   if (progress) progress("set-up");
   const ProblemEntry& asked = find_problem(config.problem);
   BodySpec spec = config.body;
   spec.stands_upright = asked.upright;
   spec.centred = asked.centred;
-  Body body = make_body(spec, device);
+  Body body = with_rays_across_the_cut(make_body(spec, device), config);
   stop_if_interrupted();
   return body;
 }

@@ -7,7 +7,7 @@
 
 #include "run/result.hpp"
 #include "run/run_domain.hpp"
-#include "run/stopwatch.hpp"
+#include "stopwatch.hpp"
 
 namespace kreisel {
 

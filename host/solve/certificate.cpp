@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +10,7 @@
 #include "solve/certify_spin.hpp"
 #include "solve/interrupt.hpp"
 #include "solve/moment.hpp"
+#include "stopwatch.hpp"
 
 namespace kreisel {
 namespace {
@@ -88,10 +88,7 @@ std::string_view to_string(Certificate::Kind kind) {
 
 Certificate certify(const Problem& problem, const Rays& domain, const MassModel& mass, device::Device& device,
                     const CertifyOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
-  const auto spent = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
+  const Stopwatch watch;
   const std::unique_ptr<Formulation> quadric = make_quadric(domain, {}, device);
   const SafeSupport support(domain, mass);
   const Task task{problem, *quadric, mass, device};
@@ -132,7 +129,7 @@ Certificate certify(const Problem& problem, const Rays& domain, const MassModel&
       certify_centred(c, *spin, task, support, outcome);
     } else {
       c.kind = c.spin.moment > 0 ? Certificate::Kind::top : Certificate::Kind::spin;
-      certify_spin(c, *spin, task, support, outcome, options, spent);
+      certify_spin(c, *spin, task, support, outcome, options, [&] { return watch.seconds(); });
     }
   } else if (ratio) {
     prove_ratio(c, support, outcome, constrained);
@@ -146,7 +143,7 @@ Certificate certify(const Problem& problem, const Rays& domain, const MassModel&
   if (infeasible && problem.goal() == Goal::margin && c.bound > 0)
     c.message = "that is above 0 for every interior, so none does what was asked";
   if (c.message.empty()) c.message = c.reached ? "the gap was reached" : "the multipliers prove no more";
-  c.seconds = spent();
+  c.seconds = watch.seconds();
   return c;
 }
 

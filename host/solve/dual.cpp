@@ -122,6 +122,8 @@ struct Newton {
   enum { converged, stalled, separated, interrupted } ending = stalled;
 };
 
+constexpr int most_steps = 150;
+
 /// Maximises the dual over multipliers >= 0 of inequalities, any of equalities,
 /// and, for a margin, of sum one, by Newton's method in those that are not held
 /// at zero. [Bertsekas 1982, Projected Newton methods]
@@ -133,7 +135,9 @@ class Maximiser {
       bounded_[static_cast<std::size_t>(dual.squares() + i)] = !rows.equality[static_cast<std::size_t>(i)];
   }
 
-  Newton run(Vector v);
+  /// @param patience  steps that may go by without the residual falling by a third, or the multipliers
+  ///                  growing fourfold
+  Newton run(Vector v, int patience);
 
  private:
   [[nodiscard]] bool bounded(Eigen::Index i) const { return bounded_[static_cast<std::size_t>(i)]; }
@@ -208,7 +212,7 @@ void Maximiser::search(Newton& at, const Vector& d, double most) {
   }
 }
 
-Newton Maximiser::run(Vector v) {
+Newton Maximiser::run(Vector v, int patience) {
   const Eigen::Index n = dual_.size(), squares = dual_.squares();
   Newton at;
   at.v = std::move(v);
@@ -217,7 +221,6 @@ Newton Maximiser::run(Vector v) {
   double checked = 10;  // size of the multipliers when they were last asked
                         // whether they separate
   int without_progress = 0;
-  constexpr int most_steps = 150;
   for (int count = 0;; ++count) {
     const Vector& g = at.value.gradient;
     at.slack = margin_ ? at.v.tail(n - squares).dot(g.tail(n - squares)) : 0;
@@ -241,7 +244,7 @@ Newton Maximiser::run(Vector v) {
     best = std::min(best, at.residual);
     const bool round_off = without_progress >= 4 && best < 1e3 * tolerance_;
     const bool at_kink = margin_ && at.value.q.cwiseAbs().maxCoeff() < 1e-12;
-    if (round_off || at_kink || count == most_steps) return at;
+    if (round_off || at_kink || without_progress > patience || count == most_steps) return at;
 
     const Vector d = step(at, held);
     if (!d.allFinite() || d.isZero(0)) return at;
@@ -252,6 +255,7 @@ Newton Maximiser::run(Vector v) {
     if (const double size = n > squares ? at.v.tail(n - squares).lpNorm<Eigen::Infinity>() : 0;
         !margin_ && size > 4 * checked) {
       checked = size;
+      without_progress = 0;
       if (dual_.separates(at.v)) {
         at.ending = Newton::separated;
         return at;
@@ -262,7 +266,7 @@ Newton Maximiser::run(Vector v) {
 
 /// minimise_model() with all rows at once.
 DualPoint minimise_with(TotalSupport& oracle, const Model& model, const Rows& rows, const Vector& start,
-                        double tolerance) {
+                        double tolerance, int patience = most_steps) {
   const Eigen::Index m = rows.size(), squares = model.factor.cols();
   Vector v = Vector::Zero(squares + m);
   if (start.size() == m) v.tail(m) = start;
@@ -276,7 +280,7 @@ DualPoint minimise_with(TotalSupport& oracle, const Model& model, const Rows& ro
       v.tail(m).setConstant(1.0 / static_cast<double>(m));
   }
   Dual dual(oracle, model, rows);
-  const Newton newton = Maximiser(dual, rows, model.margin, tolerance).run(std::move(v));
+  const Newton newton = Maximiser(dual, rows, model.margin, tolerance).run(std::move(v), patience);
   DualPoint point;
   point.q = newton.value.q;
   point.s = newton.value.support.moments;
@@ -311,6 +315,29 @@ Model with_a_preference(const Model& model) {
   return preferring;
 }
 
+/// minimise_with() for a linear model whose plane ends up along the rays: it is undecided over whole rays, of
+/// which the rows need a part, and no multipliers say which. Of the many answers, that of the least szz: with
+/// weight * z^2 added, whatever the multipliers, q is zero all along no ray. The weight shrinks from where
+/// Newton's method sees whole rays to where it costs nothing, each step from where the last two lead.
+/// [docs/quadric.md, s. 3]
+DualPoint minimise_along_rays(TotalSupport& oracle, const Model& model, const Rows& rows, const Vector& start,
+                              double tolerance) {
+  constexpr double shrink = 0.1, least = 1e-6;
+  const double size = model.linear.cwiseAbs().maxCoeff();
+  Vector from = start, before;
+  DualPoint point;
+  for (double weight = shrink; weight >= 0.99 * least; weight *= shrink) {
+    Model lowering = model;
+    lowering.linear[SZZ] += weight * size;
+    point = minimise_with(oracle, lowering, rows, from, tolerance);
+    if (point.ending == DualPoint::infeasible || point.ending == DualPoint::interrupted) break;
+    from = point.multipliers;
+    if (before.size()) from += shrink * (point.multipliers - before);
+    before = point.multipliers;
+  }
+  return point;
+}
+
 }  // namespace
 
 DualPoint minimise_model(TotalSupport& oracle, const Model& model, const Rows& rows, const Vector& start,
@@ -340,15 +367,19 @@ DualPoint minimise_model(TotalSupport& oracle, const Model& model, const Rows& r
   if (model.margin && std::ranges::count(in, true) < 3)
     join(oracle(model.linear + rows.matrix.colwise().sum().transpose() / double(rows.size()), false).moments,
          -infinity, 3);
+  const bool linear = !model.margin && model.factor.cols() == 0;  // the dual may be piecewise linear
   Vector known = start;
   for (;;) {
     std::vector<Eigen::Index> kept;
     for (std::size_t i = 0; i < in.size(); ++i)
       if (in[i]) kept.push_back(static_cast<Eigen::Index>(i));
     const Vector from = known.size() == rows.size() ? Vector(known(kept)) : Vector();
-    DualPoint point = minimise_with(oracle, model, some_of(rows, kept), from, tolerance);
+    DualPoint point =
+        minimise_with(oracle, model, some_of(rows, kept), from, tolerance, linear ? 8 : most_steps);
     if (model.margin && point.ending == DualPoint::stalled)
       point = minimise_with(oracle, with_a_preference(model), some_of(rows, kept), from, tolerance);
+    else if (linear && point.ending == DualPoint::stalled && point.residual > 1e3 * tolerance)
+      point = minimise_along_rays(oracle, model, some_of(rows, kept), from, tolerance);
     known.setZero(rows.size());
     known(kept) = point.multipliers;
     point.multipliers = known;

@@ -7,7 +7,6 @@
 #include <IpSolveStatistics.hpp>
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <new>
 #include <utility>
@@ -17,6 +16,7 @@
 #include "nearest.hpp"
 #include "solve/linear_algebra.hpp"
 #include "solve/nlp.hpp"
+#include "stopwatch.hpp"
 
 namespace kreisel {
 namespace {
@@ -215,7 +215,7 @@ Outcome solve(const Task& task, const SolverOptions& options, std::vector<std::u
   if (app->Initialize("") != Ipopt::Solve_Succeeded) throw InputError("Ipopt refuses its options");
 
   task.device.reset_kernel_seconds();
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const Ipopt::SmartPtr<Nlp> nlp =
       lifted ? make_lifted_nlp(task, start, options.convexify) : make_direct_nlp(task, start);
   if (goes_on) {
@@ -233,7 +233,7 @@ Outcome solve(const Task& task, const SolverOptions& options, std::vector<std::u
     throw std::bad_alloc();
 
   Outcome outcome;
-  outcome.solve_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  outcome.solve_seconds = watch.seconds();
   outcome.kernel_seconds = task.device.kernel_seconds();
   outcome.termination = termination_of(status);
   outcome.message = message_of(status);

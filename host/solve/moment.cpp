@@ -4,7 +4,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -12,6 +11,7 @@
 
 #include "error.hpp"
 #include "parse.hpp"
+#include "stopwatch.hpp"
 
 namespace kreisel {
 namespace {
@@ -70,6 +70,7 @@ class Search {
   Rows rows_;
   double tolerance_;
   std::vector<Iterate>& history_;
+  bool solved_ = true;  ///< the last model
 };
 
 void Search::note(const State& state, int trials) {
@@ -124,6 +125,7 @@ Phase Search::model_step(State& state, bool first) {
   state.s += alpha * step;
   state.multipliers = point.multipliers;
   state.active = point.active;
+  solved_ = point.ending == DualPoint::converged || point.residual <= 1e-4;
   state.q = point.q;
   state.residual = exact ? point.residual : step.lpNorm<Eigen::Infinity>();
   note(state, trials);
@@ -188,7 +190,9 @@ Phase Search::newton(State& state, bool descending) {
 }
 
 Phase Search::run(State& state, bool known, int most_steps) {
-  for (int step = 0; step < most_steps; ++step) {
+  // Models that are not solved, one after the other, lead nowhere.
+  constexpr int most_unsolved = 5;
+  for (int step = 0, unsolved = 0; step < most_steps && unsolved < most_unsolved; ++step) {
     if (known || state.residual < 3e-2) {
       const Phase phase = margin() ? Phase::going_on : newton(state, !known);
       if (phase == Phase::converged) return phase;
@@ -198,6 +202,7 @@ Phase Search::run(State& state, bool known, int most_steps) {
     const Phase phase = model_step(state, step == 0 && (!known || off));
     known = false;
     if (phase != Phase::going_on) return phase;
+    unsolved = solved_ ? 0 : unsolved + 1;
   }
   return Phase::stalled;
 }
@@ -233,7 +238,7 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
   Outcome outcome;
   outcome.settings = {{"tolerance", fmt::format("{:g}", own.tolerance)}};
   task.device.reset_kernel_seconds();
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
 
   State state;
   Phase phase = Phase::stalled;
@@ -273,7 +278,7 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
   outcome.dual_infeasibility = state.residual;
   outcome.multipliers.assign(state.multipliers.begin(), state.multipliers.end());
   outcome.iterations = static_cast<int>(outcome.history.size());
-  outcome.solve_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  outcome.solve_seconds = watch.seconds();
   outcome.kernel_seconds = task.device.kernel_seconds();
   switch (phase) {
     case Phase::converged:

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <utility>
 
 #include "error.hpp"
 #include "problem/stand.hpp"
 #include "solve/interrupt.hpp"
+#include "stopwatch.hpp"
 
 namespace kreisel {
 namespace {
@@ -106,7 +106,7 @@ Outcome solve_with_plane_sweep(const Task& task, const SolverOptions&) {
                     task.problem.name() == "stand" ? "stand with another target" : task.problem.name()));
   Outcome outcome;
   task.device.reset_kernel_seconds();
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   std::vector<double> x = task.formulation.start(Start::upper);
   const Moments solid = task.mass.total(task.formulation.moments(x));
   Sweep sweep(pieces_of(task, x), solid, *stand->over());
@@ -124,7 +124,7 @@ Outcome solve_with_plane_sweep(const Task& task, const SolverOptions&) {
   outcome.iterations = static_cast<int>(outcome.history.size()) - 1;
   outcome.evaluations.objective = 2;
   outcome.evaluations.gradient = 1;
-  outcome.solve_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  outcome.solve_seconds = watch.seconds();
   outcome.kernel_seconds = task.device.kernel_seconds();
   if (interrupted()) {
     outcome.termination = Termination::interrupted;

@@ -4,13 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "error.hpp"
 #include "parse.hpp"
 #include "solve/ipopt.hpp"
 #include "solve/moment.hpp"
 #include "solve/plane_sweep.hpp"
+#include "stopwatch.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel {
@@ -161,6 +161,14 @@ Refinement describe(const Task& task, const Outcome& outcome) {
           outcome.solve_seconds};
 }
 
+/// Is there anything to learn from finer cells? What coarse ones cannot meet, finer ones may: those are
+/// sought along the best compromise, while they are few. It takes a solver long to say of many that they
+/// cannot.
+bool worth_refining(const Outcome& outcome) {
+  constexpr std::size_t few = 20'000;
+  return outcome.converged() || (outcome.termination == Termination::infeasible && outcome.x.size() <= few);
+}
+
 }  // namespace
 
 Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& options) {
@@ -171,17 +179,17 @@ Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& 
   // A level a round, and some more where the void's surface moves on to cells that were left coarse.
   constexpr std::size_t most_rounds = 16;
   while (task.formulation.refines()) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     onward.from = all.x;
     onward.warm = all.warm;
-    const bool refined =
-        all.converged() && all.refinements.size() + 1 < most_rounds && task.formulation.refine(onward.from);
+    const bool refined = worth_refining(all) && all.refinements.size() + 1 < most_rounds &&
+                         task.formulation.refine(onward.from);
     if (!refined) {
       all.x = onward.from;
       round.variables = all.x.size();
       round.cells = task.formulation.count_cells(all.x);
     }
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double seconds = watch.seconds();
     round.seconds += seconds;
     all.solve_seconds += seconds;
     all.refinements.push_back(round);

@@ -82,6 +82,19 @@ TEST_F(Report, IsOnePageWithTablesFiguresAndProvenance) {
     EXPECT_EQ(entry.path().string().find(".tmp"), std::string::npos) << entry.path();
 }
 
+TEST_F(Report, DrawsThePartOfARunInMotionBesideItsSolid) {
+  std::ofstream(file("motion.toml")) << "table = \"simulation\"\nfigures = [\"simulate\"]\nresolution = 24\n"
+                                        "fineness = 16\nformulation = \"quadric\"\n[[run]]\n"
+                                        "[[run]]\nset.solver.start = \"nowhere\"\n";
+  (void)bench(fmt::format("run {} --results {}", file("motion.toml"), file("runs")));
+  const BenchAnswer a = bench(
+      fmt::format("report {} --results {} -o {}", file("motion.toml"), file("runs"), file("motion.html")));
+  ASSERT_EQ(a.code, 0) << a.out;
+  const std::string page = content_of(file("motion.html"));
+  EXPECT_EQ(count(page, "<img"), 1u) << "of the run that made a part";
+  EXPECT_NE(page.find("alt=\"simulate\""), std::string::npos);
+}
+
 TEST_F(Report, SaysInOneLineThatNothingIsOnRecord) {
   for (const std::string arguments : {"", "rayrep_table2"}) {
     const BenchAnswer a =

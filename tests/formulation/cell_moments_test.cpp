@@ -2,24 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "domain/test_bodies.hpp"
+#include "formulation/torus_domain.hpp"
 #include "test_device.hpp"
 
 namespace kreisel {
 namespace {
-
-/// Two runs in many columns, more columns in a row than a vector is long, and a spacing that is no power of
-/// two.
-const Columns& torus() {
-  static const Columns domain = [] {
-    GridSpec spec;
-    spec.resolution = 41;
-    return make_columns(body_of(moved(upright_torus_mesh(0.7, 0.28, 48, 24), Eigen::Matrix3d::Identity(),
-                                      Vec3(0.05, -0.02, 0.98))),
-                        spec, {1, Wall::cells});
-  }();
-  return domain;
-}
 
 /// What moments_of() and a sum of boxes may be off by: 32 roundings of terms no larger than these.
 Moments tolerance(const Cube& cube, const CubeSums& sums) {

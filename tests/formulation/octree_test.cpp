@@ -5,24 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "domain/test_bodies.hpp"
+#include "formulation/torus_domain.hpp"
 #include "refusal.hpp"
 #include "test_device.hpp"
 
 namespace kreisel {
 namespace {
-
-/// Two runs in many columns, a grid of 6 levels that it does not fill, and a spacing that is no power of two.
-const Columns& torus() {
-  static const Columns domain = [] {
-    GridSpec spec;
-    spec.resolution = 41;
-    return make_columns(body_of(moved(upright_torus_mesh(0.7, 0.28, 48, 24), Eigen::Matrix3d::Identity(),
-                                      Vec3(0.05, -0.02, 0.98))),
-                        spec, {1, Wall::cells});
-  }();
-  return domain;
-}
 
 std::unique_ptr<Formulation> make(const FormulationSettings& settings = {}) {
   return make_formulation("octree", torus(), {}, settings, test_device());

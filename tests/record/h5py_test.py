@@ -53,6 +53,9 @@ ATTRIBUTES = {
 # Of each material in /verified/materials.
 MATERIAL = {"density": REAL, "mass": REAL, "file": TEXT, "triangles": WHOLE}
 
+# Of the 2014 form of a spinning problem alone.
+ANGLE_FORM = {"/solve": {"phi": REAL, "phi_units": TEXT}}
+
 # Of a certified run alone.
 CERTIFIED = {
     "/": {"bound": REAL, "gap": REAL},
@@ -125,6 +128,8 @@ def check(file):
         datasets["/domain/intervals"] = ("f8", (None, 4), ["ix", "iy", "z0", "z1"])
     if "refinements" in file["solve"]:
         datasets |= OCTREE_DATASETS
+    if "phi" in file["solve"].attrs:
+        attributes = {g: ATTRIBUTES[g] | ANGLE_FORM.get(g, {}) for g in ATTRIBUTES}
     if "certificate" in file:
         attributes = {g: ATTRIBUTES.get(g, {}) | CERTIFIED.get(g, {}) for g in ATTRIBUTES | CERTIFIED}
         datasets |= CERTIFIED_DATASETS

@@ -173,36 +173,10 @@ TEST(Certificate, TakesFewBoxesForASmallGap) {
 /// Bounds do not depend on where their multipliers come from.
 TEST(Certificate, OfABoxHoldsWhateverTheMultipliers) {
   Random random(12);
-  const Case on = top();
-  const SafeSupport support(rays_of(on.domain), on.mass);
-  const Spin problem({0.5, 1.5});
-  const std::vector<Moments> all = attainable(on, problem, random, 60);
-  const auto quadric = make_quadric(on.domain, {}, {}, test_device());
-  TotalSupport oracle(*quadric->oracle(), on.mass, 0);
-  MomentPoint near;
-  near.s = all.front();
-  int inside = 0;
-  double closest = 1;
-  for (int i = 0; i < 200; ++i) {
-    const double c = centre_of_mass(all[static_cast<std::size_t>(i) % all.size()])[2];
-    const double low = c - uniform(random, 0, 0.05), high = c + uniform(random, 0, 0.05);
-    BoxMultipliers m = minimise_box(oracle, problem.weights(), {low, high}, near).multipliers;
-    const double noise = i % 4 == 0 ? 0 : std::pow(10.0, -(i % 4));
-    for (double& u : m.u) u += uniform(random, -noise, noise);
-    for (double& mu : m.mu) mu += uniform(random, -noise, noise);
-    m.nu_low += uniform(random, -noise, noise);  // of any sign
-    const CertifiedBox box = certify_box(support, problem.weights(), {low, high}, m);
-    EXPECT_FALSE(box.empty);
-    for (const Moments& s : all) {
-      const double height = centre_of_mass(s)[2];
-      if (height < low || height > high) continue;
-      ++inside;
-      EXPECT_LE(box.value, problem.value(s));
-      closest = std::min(closest, problem.value(s) - box.value);
-    }
-  }
-  EXPECT_GE(inside, 200);
-  EXPECT_LT(closest, 0.3) << "bounds that far off say nothing";
+  expect_bounds_whatever_the_multipliers(Spin({0.5, 1.5}), random, 200, [&](const Moments& s) {
+    const double c = centre_of_mass(s)[2];
+    return SpinRegion{c - uniform(random, 0, 0.05), c + uniform(random, 0, 0.05)};
+  });
 }
 
 TEST(Certificate, CoversEveryHeight) {
@@ -226,23 +200,11 @@ TEST(Certificate, StopsAtItsLimitsAndSaysSo) {
 
 TEST(Certificate, OfRandomBodiesIsWithinItsGapOrSeparates) {
   Random random(2024);
-  int feasible = 0, infeasible = 0;
-  for (int i = 0; i < 40; ++i) {
-    const Case on = random_case(random);
-    const Spin problem({i % 2 ? 0.0 : uniform(random, 0, 1), uniform(random, 0.5, 2)});
-    const Certificate c = on.certified(problem, {.gap = gap});
-    if (c.kind == Certificate::Kind::infeasible) {
-      EXPECT_GT(c.separation, 0) << i;
-      ++infeasible;
-      continue;
-    }
-    EXPECT_TRUE(c.reached) << i << ": " << c.message << ", " << c.bound << " .. " << c.best;
-    EXPECT_LE(c.bound, c.best) << i;
-    for (const Moments& s : attainable(on, problem, random, 5)) EXPECT_LE(c.bound, problem.value(s)) << i;
-    ++feasible;
-  }
+  const int feasible = expect_certified_or_separated(random, [&](int i) {
+    return std::make_unique<Spin>(SpinOptions{i % 2 ? 0.0 : uniform(random, 0, 1), uniform(random, 0.5, 2)});
+  });
   EXPECT_GE(feasible, 10);
-  EXPECT_GE(infeasible, 3);
+  EXPECT_LE(feasible, 37);
 }
 
 TEST(MomentSolver, ReachesTheCertifiedOptimumFromRandomStarts) {

@@ -1,10 +1,18 @@
 // certified_cases.hpp - small bodies with their domains, and what they can attain, for the tests of bounds.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "formulation/quadric.hpp"
+#include "problem/spinning.hpp"
 #include "solve/certificate.hpp"
+#include "solve/certify_spin.hpp"
 #include "solve/test_tasks.hpp"
 
 namespace kreisel {
@@ -27,11 +35,11 @@ struct Case {
   MassModel mass;
 };
 
-/// A brick that stands askew and off its axis.
-inline Case top(double off = 0.015) {
+/// A brick of volume one that stands askew and off its axis, on its smallest face.
+inline Case top(double off = 0.015, int resolution = 16) {
   const Eigen::Matrix3d tilt = Eigen::AngleAxisd(0.03, Vec3(0.6, 0.8, 0)).toRotationMatrix();
   const Vec3 half(0.5, 0.4, 0.625);
-  return Case(body_of(moved(box_mesh(-half, half), tilt, {off, -0.01, 0.65})));
+  return Case(body_of(moved(box_mesh(-half, half), tilt, {off, -0.01, 0.65})), resolution);
 }
 
 /// A brick or a tetrahedron of any shape, askew, above the ground, more or less off its axis.
@@ -69,6 +77,66 @@ inline std::vector<Moments> attainable(const Case& on, const Problem& problem, R
     found.push_back(point.s);
   }
   return found;
+}
+
+/// The bound of a region holds for all that is attained in it, whatever its multipliers: those of its
+/// minimiser, and others that are more and more wrong. [docs/quadric.md, lemmas 2 and 3]
+///
+/// @param about  a region about moments that are attained
+inline void expect_bounds_whatever_the_multipliers(
+    const Spinning& problem, Random& random, int regions,
+    const std::function<SpinRegion(const Moments& attained)>& about) {
+  const Case on = top();
+  const SafeSupport support(rays_of(on.domain), on.mass);
+  const std::vector<Moments> all = attainable(on, problem, random, 60);
+  const auto quadric = make_quadric(on.domain, {}, {}, test_device());
+  TotalSupport oracle(*quadric->oracle(), on.mass, 0);
+  MomentPoint near;
+  near.s = all.front();
+  int inside = 0;
+  double closest = 1;
+  for (int i = 0; i < regions; ++i) {
+    const SpinRegion region = about(all[static_cast<std::size_t>(i) % all.size()]);
+    BoxMultipliers m = minimise_box(oracle, problem.weights(), region, near).multipliers;
+    const double noise = i % 4 == 0 ? 0 : std::pow(10.0, -(i % 4));
+    for (double& u : m.u) u += uniform(random, -noise, noise);
+    for (double& mu : m.mu) mu += uniform(random, -noise, noise);
+    m.nu_low += uniform(random, -noise, noise);  // of any sign
+    if (region.confines_sz()) m.kappa += uniform(random, -noise, noise);
+    const CertifiedBox box = certify_box(support, problem.weights(), region, m);
+    EXPECT_FALSE(box.empty);
+    for (const Moments& s : all) {
+      const double height = centre_of_mass(s)[2];
+      if (height < region.low || height > region.high || s[SZ] < region.sz_low || s[SZ] > region.sz_high)
+        continue;
+      ++inside;
+      EXPECT_LE(box.value, problem.value(s));
+      closest = std::min(closest, problem.value(s) - box.value);
+    }
+  }
+  EXPECT_GE(inside, regions);
+  EXPECT_LT(closest, 0.3) << "bounds that far off say nothing";
+}
+
+/// Of 40 random bodies each is certified to within the gap, below whatever is attained, or shown to be
+/// infeasible. @return  how many are feasible
+inline int expect_certified_or_separated(Random& random,
+                                         const std::function<std::unique_ptr<Problem>(int i)>& make) {
+  int feasible = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Case on = random_case(random);
+    const std::unique_ptr<Problem> problem = make(i);
+    const Certificate c = on.certified(*problem, {.gap = gap});
+    if (c.kind == Certificate::Kind::infeasible) {
+      EXPECT_GT(c.separation, 0) << i;
+      continue;
+    }
+    ++feasible;
+    EXPECT_TRUE(c.reached) << i << ": " << c.message << ", " << c.bound << " .. " << c.best;
+    EXPECT_LE(c.bound, c.best) << i;
+    for (const Moments& s : attainable(on, *problem, random, 5)) EXPECT_LE(c.bound, problem->value(s)) << i;
+  }
+  return feasible;
 }
 
 }  // namespace kreisel

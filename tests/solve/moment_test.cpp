@@ -9,9 +9,11 @@
 
 #include "domain/test_bodies.hpp"
 #include "error.hpp"
+#include "formulation/quadric.hpp"
 #include "problem/balance.hpp"
 #include "problem/spin.hpp"
 #include "problem/stand.hpp"
+#include "solve/certificate.hpp"
 #include "solve/dual.hpp"
 #include "solve/test_tasks.hpp"
 
@@ -230,6 +232,28 @@ TEST(MomentSolver, SaysWhenTheConstraintsCanBarelyBeMet) {
   ASSERT_EQ(barely.termination, Termination::optimal) << barely.message;
   EXPECT_NE(barely.message.find("the constraints can barely be met"), std::string::npos) << barely.message;
   EXPECT_EQ(at(highest + 1e-6).termination, Termination::infeasible);
+}
+
+TEST(MomentSolver, BalancesWhereTheCutIsAlongTheRays) {
+  // Beside the middle of a box, the plane is upright and holds a whole layer of columns, of which a part is
+  // to be filled; no multipliers say which.
+  const Body body = body_of(box_mesh({-0.6, -0.45, 0}, {0.6, 0.45, 0.926}));
+  const Columns domain = columns_of(body, 24);
+  const MassModel mass = hollowed(body, domain.interior);
+  const double middle = centre_of_mass(mass.total(domain.interior))[2];
+  for (const Vec3& off :
+       {Vec3(0.03, 0, 0), Vec3(0, -0.0217, 0), Vec3(0.02, 0.02, 0), Vec3(0.041, 0.007, 0)}) {
+    SCOPED_TRACE(testing::Message() << off.transpose());
+    const Balance problem(Vec3(0, 0, middle) + off, std::nullopt);
+    const Outcome outcome = solve_on(domain, problem, mass).outcome;
+    ASSERT_EQ(outcome.termination, Termination::optimal) << outcome.message;
+    // The layer is cut where a millionth of z^2 says, which ten digits are left of.
+    EXPECT_LE(outcome.violation, 1e-9);
+    const Certificate c = certify(problem, rays_of(domain), mass, test_device(), {});
+    EXPECT_LE(outcome.objective - c.bound, 1e-6) << "a millionth of what szz may differ by";
+    EXPECT_LE(outcome.evaluations.hessian, 400) << "of hundreds, not thousands";
+    EXPECT_GT(outcome.objective, -0.999) << "nothing removed, nothing tested";
+  }
 }
 
 TEST(MomentSolver, RefusesWhatItDoesNotKnow) {

@@ -1,34 +1,16 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
-
-#include "formulation/quadric.hpp"
 #include "problem/spin.hpp"
-#include "solve/certificate.hpp"
-#include "solve/test_tasks.hpp"
+#include "solve/certified_cases.hpp"
 #include "solve/ways.hpp"
 
 namespace kreisel {
 namespace {
 
-/// A brick of volume one that stands askew and off its axis, on its smallest face: it cannot spin as it is.
-struct Brick {
-  explicit Brick(int resolution) {
-    const Eigen::Matrix3d tilt = Eigen::AngleAxisd(0.03, Vec3(0.6, 0.8, 0)).toRotationMatrix();
-    const Vec3 half(0.5, 0.4, 0.625);
-    const Body body = body_of(moved(box_mesh(-half, half), tilt, {0.015, -0.01, 0.65}));
-    GridSpec grid;
-    grid.resolution = resolution;
-    domain = make_columns(body, grid, {1, Wall::cells});
-    mass = hollowed(body, domain.interior);
-  }
-  [[nodiscard]] std::unique_ptr<Formulation> make(const std::string& name,
-                                                  const FormulationSettings& settings = {}) const {
-    return make_formulation(name, domain, {}, settings, test_device());
-  }
-  Columns domain;
-  MassModel mass;
-};
+std::unique_ptr<Formulation> make(const Case& on, const std::string& name,
+                                  const FormulationSettings& settings = {}) {
+  return make_formulation(name, on.domain, {}, settings, test_device());
+}
 
 const Spin& spin() {
   static const Spin problem{SpinOptions{}};
@@ -38,9 +20,9 @@ const Spin& spin() {
 class RefineBy : public testing::TestWithParam<Way> {};
 
 TEST_P(RefineBy, FindsTheOptimumOfTheVoxelsWhenAllCellsAreVoxels) {
-  const Brick brick(12);
-  const auto octree = brick.make("octree", {{"start_level", "4"}, {"gamma_l", "0"}});
-  const auto voxel = brick.make("voxel");
+  const Case brick = top(0.015, 12);
+  const auto octree = make(brick, "octree", {{"start_level", "4"}, {"gamma_l", "0"}});
+  const auto voxel = make(brick, "voxel");
   ASSERT_EQ(octree->num_variables(), voxel->num_variables());
   const Task task{spin(), *octree, brick.mass, test_device()},
       plain{spin(), *voxel, brick.mass, test_device()};
@@ -53,8 +35,8 @@ TEST_P(RefineBy, FindsTheOptimumOfTheVoxelsWhenAllCellsAreVoxels) {
 }
 
 TEST_P(RefineBy, ReachesVoxelsAllAlongTheVoidAndStaysWithinAPercentOfTheBound) {
-  const Brick brick(32);
-  const auto octree = brick.make("octree");
+  const Case brick = top(0.015, 32);
+  const auto octree = make(brick, "octree");
   const Task task{spin(), *octree, brick.mass, test_device()};
   const Outcome outcome = solve(default_solver("octree"), task, options_of(GetParam()));
   ASSERT_EQ(outcome.termination, Termination::optimal) << outcome.message;
@@ -72,7 +54,7 @@ TEST_P(RefineBy, ReachesVoxelsAllAlongTheVoidAndStaysWithinAPercentOfTheBound) {
   EXPECT_GT(along, 100u);
   EXPECT_LT(cells.size(), brick.domain.interior_voxels);
 
-  const Certificate bound = certify(spin(), rays_of(brick.domain), brick.mass, test_device(), {.gap = 1e-3});
+  const Certificate bound = brick.certified(spin(), {.gap = gap});
   EXPECT_GE(outcome.objective, bound.bound);
   EXPECT_LE(outcome.objective, 1.01 * bound.bound);
 
@@ -91,8 +73,8 @@ INSTANTIATE_TEST_SUITE_P(Ways, RefineBy,
                          [](const auto& p) { return name_of(p.param); });
 
 TEST(Refine, BeginsAgainFromCoarseCellsWithEverySolve) {
-  const Brick brick(16);
-  const auto octree = brick.make("octree");
+  const Case brick = top();
+  const auto octree = make(brick, "octree");
   const std::size_t first = octree->num_variables();
   const Task task{spin(), *octree, brick.mass, test_device()};
   const Outcome once = solve(default_solver("octree"), task, {}),

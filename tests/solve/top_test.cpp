@@ -165,55 +165,23 @@ TEST(TopCertificate, BoundsWhateverIsAttainedAndMeetsWhatRandomStartsReach) {
 
 TEST(TopCertificate, OfARegionHoldsWhateverTheMultipliers) {
   Random random(62);
-  const Case on = top();
-  const SafeSupport support(rays_of(on.domain), on.mass);
-  const Top problem({.gamma_c = 2, .gamma_i = 1.5});
-  const std::vector<Moments> all = attainable(on, problem, random, 60);
-  const auto quadric = make_quadric(on.domain, {}, {}, test_device());
-  TotalSupport oracle(*quadric->oracle(), on.mass, 0);
-  MomentPoint near;
-  near.s = all.front();
-  int inside = 0;
-  double closest = 1;
-  for (int i = 0; i < 120; ++i) {
-    const Moments& from = all[static_cast<std::size_t>(i) % all.size()];
-    const double c = centre_of_mass(from)[2];
-    const SpinRegion region{c - uniform(random, 0, 0.05), c + uniform(random, 0, 0.05),
-                            from[SZ] - uniform(random, 0, 0.05), from[SZ] + uniform(random, 0, 0.05)};
-    BoxMultipliers m = minimise_box(oracle, problem.weights(), region, near).multipliers;
-    const double noise = i % 4 == 0 ? 0 : std::pow(10.0, -(i % 4));
-    for (double& u : m.u) u += uniform(random, -noise, noise);
-    for (double& mu : m.mu) mu += uniform(random, -noise, noise);
-    m.nu_low += uniform(random, -noise, noise);
-    m.kappa += uniform(random, -noise, noise);
-    const CertifiedBox box = certify_box(support, problem.weights(), region, m);
-    EXPECT_FALSE(box.empty);
-    for (const Moments& s : all) {
-      const double height = centre_of_mass(s)[2];
-      if (height < region.low || height > region.high || s[SZ] < region.sz_low || s[SZ] > region.sz_high)
-        continue;
-      ++inside;
-      EXPECT_LE(box.value, problem.value(s));
-      closest = std::min(closest, problem.value(s) - box.value);
-    }
-  }
-  EXPECT_GE(inside, 120);
-  EXPECT_LT(closest, 0.3) << "bounds that far off say nothing";
+  expect_bounds_whatever_the_multipliers(
+      Top({.gamma_c = 2, .gamma_i = 1.5}), random, 120, [&](const Moments& s) {
+        const double c = centre_of_mass(s)[2];
+        return SpinRegion{c - uniform(random, 0, 0.05), c + uniform(random, 0, 0.05),
+                          s[SZ] - uniform(random, 0, 0.05), s[SZ] + uniform(random, 0, 0.05)};
+      });
 }
 
 TEST(TopCertificate, OfRandomBodiesIsWithinItsGapOrSeparates) {
   Random random(63);
-  int feasible = 0;
-  for (int i = 0; i < 40; ++i) {
-    const Case on = random_case(random);
-    const Top problem({.gamma_c = uniform(random, 0.1, 5), .gamma_i = uniform(random, 0.2, 2)});
-    const Certificate c = on.certified(problem);
-    if (c.kind == Certificate::Kind::infeasible) continue;
-    ++feasible;
-    EXPECT_TRUE(c.reached) << i << ": " << c.message << ", " << c.bound << " .. " << c.best;
-    for (const Moments& s : attainable(on, problem, random, 5)) EXPECT_LE(c.bound, problem.value(s)) << i;
-  }
-  EXPECT_GE(feasible, 4);
+  EXPECT_GE(expect_certified_or_separated(random,
+                                          [&](int) {
+                                            return std::make_unique<Top>(
+                                                TopOptions{.gamma_c = uniform(random, 0.1, 5),
+                                                           .gamma_i = uniform(random, 0.2, 2)});
+                                          }),
+            4);
 }
 
 /// Of a body of revolution the lateral axes are any, and multipliers of one direction are those of the other.

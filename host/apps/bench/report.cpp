@@ -12,13 +12,16 @@
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "apps/bench/commands.hpp"
 #include "apps/shared/outputs.hpp"
+#include "device/device.hpp"
 #include "error.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/table.hpp"
 #include "record/record.hpp"
+#include "record/simulation_record.hpp"
 #include "run/build_info.hpp"
 
 extern char** environ;
@@ -48,8 +51,42 @@ json to_json(const Tables& tables) {
   return {{"columns", columns}, {"blocks", blocks}, {"legend", tables.legend}, {"csv", to_csv(tables)}};
 }
 
+/// A folder that is gone when the program is, with what is in it.
+struct TemporaryFolder {
+  fs::path path = fs::temp_directory_path() / fmt::format("kreisel-report-{}", ::getpid());
+  TemporaryFolder() { fs::create_directories(path); }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+};
+
+/// Solid and part of each run in motion, for plots/simulate.py: {record: simulation}. What made no part, or
+/// one that is stable at no speed, has none.
+json simulations_of(const std::vector<RecordedRun>& runs, const fs::path& folder) {
+  json made = json::object();
+  std::optional<device::Device> device;
+  for (const RecordedRun& run : runs) {
+    if (!run.record || !run.record->error.empty() || !run.record->has_part) continue;
+    const std::string& record = run.record->path.string();
+    if (made.contains(record)) continue;
+    if (!device) device.emplace();
+    const fs::path file = folder / fmt::format("simulation-{}.h5", made.size());
+    try {
+      write_simulation(file, simulate(subject_of_record(record, *device), {}, *device));
+      made[record] = file.string();
+    } catch (const InputError&) {
+      continue;
+    }
+  }
+  return made;
+}
+
 /// What the page says of an experiment; null where none of its runs is on record.
-json section_of(const Experiment& experiment, const fs::path& results) {
+/// @param folder  for what figures are drawn of beside the records
+json section_of(const Experiment& experiment, const fs::path& results, const fs::path& folder) {
   const std::vector<RecordedRun> runs = collect(experiment, results);
   json records = json::array();
   std::size_t missing = 0;
@@ -66,6 +103,8 @@ json section_of(const Experiment& experiment, const fs::path& results) {
   section["title"] = experiment.title;
   section["about"] = experiment.about;
   section["figures"] = experiment.figures;
+  if (std::ranges::find(experiment.figures, "simulate") != experiment.figures.end())
+    section["simulations"] = simulations_of(runs, folder / experiment.name);
   section["published"] =
       experiment.published.empty() ? json(nullptr) : json(published_file(experiment.published).string());
   section["records"] = records;
@@ -73,15 +112,6 @@ json section_of(const Experiment& experiment, const fs::path& results) {
   section["missing"] = missing;
   return section;
 }
-
-/// A file that is gone when the program is.
-struct TemporaryFile {
-  fs::path path = fs::temp_directory_path() / fmt::format("kreisel-report-{}.json", ::getpid());
-  ~TemporaryFile() {
-    std::error_code ignored;
-    fs::remove(path, ignored);
-  }
-};
 
 /// Debian's Python has h5py and matplotlib; another one on the PATH may not.
 std::string python() {
@@ -115,17 +145,18 @@ int report(const ReportOptions& options) {
     throw InputError(fmt::format("{}: no such file, expected the script that draws", script.string()));
   std::vector<std::string> names = options.experiments;
   if (names.empty()) names = experiment_names();
+  const TemporaryFolder folder;
   json page = {{"version", build_info::version}, {"commit", build_info::commit}, {"sections", json::array()}};
   for (const std::string& name : names) {
-    json section = section_of(read_experiment(find_experiment(name)), options.results);
+    json section = section_of(read_experiment(find_experiment(name)), options.results, folder.path);
     if (!section.is_null()) page["sections"].push_back(std::move(section));
   }
   if (page["sections"].empty())
     throw InputError(fmt::format("{}: no records of {}, expected those that `bench run` writes",
                                  options.results, fmt::join(names, ", ")));
-  const TemporaryFile tables;
-  write_text(tables.path, page.dump(-1, ' ', false, json::error_handler_t::replace));
-  return call(script, tables.path, options.output);
+  const fs::path tables = folder.path / "tables.json";
+  write_text(tables, page.dump(-1, ' ', false, json::error_handler_t::replace));
+  return call(script, tables, options.output);
 }
 
 }  // namespace kreisel::bench

@@ -1,4 +1,4 @@
-// stopwatch.hpp - wall-clock seconds.
+// stopwatch.hpp - seconds since it was made.
 #pragma once
 
 #include <chrono>
