@@ -84,7 +84,8 @@ INSTANTIATE_TEST_SUITE_P(All, DesignOf,
 TEST_F(Design, WritesEveryFormat) {
   double mass = 0;
   for (const char* name : {"part.stl", "part.3mf", "part.obj", "part.ply", "part.off"}) {
-    const BenchAnswer a = design(fmt::format("spin ellipsoid -o {} {}", file(name), coarse));
+    const BenchAnswer a =
+        design(fmt::format("spin ellipsoid -o {} --resolution 24 --fineness 16 --force", file(name)));
     ASSERT_EQ(a.code, 0) << a.out;
     const double volume = reference::mesh_moments(read_mesh(file(name))).value[S1];
     if (mass > 0) {
@@ -129,8 +130,8 @@ TEST_F(Design, DrainedIsStillBalanced) {
 }
 
 TEST_F(Design, OfAnInfeasibleProblemWritesNothingAndSaysWhatWouldHelp) {
-  const BenchAnswer a = design(fmt::format("spin cuboid --contact 5,5,0 -o {} --json {} {}", file("part.stl"),
-                                           file("report.json"), "--resolution 24"));
+  const BenchAnswer a = design(fmt::format("spin ellipsoid --contact 12,19.5,0 -o {} --json {} {}",
+                                           file("part.stl"), file("report.json"), "--resolution 24"));
   EXPECT_EQ(a.code, 3) << a.out;
   EXPECT_NE(a.out.find("would help"), std::string::npos) << a.out;
   EXPECT_NE(a.out.find("other axes will do: the nearest"), std::string::npos) << a.out;

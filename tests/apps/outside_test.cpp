@@ -72,17 +72,15 @@ TEST_F(Outside, PrusaSlicerSaysManifoldAndTheSameVolume) {
   }
 }
 
-TEST_F(Outside, PrusaSlicerSlicesThem) {
+TEST_F(Outside, PrusaSlicerSlicesATop) {
   if (!installed("prusa-slicer")) GTEST_SKIP() << "prusa-slicer is not installed";
-  for (const Part& part : parts) {
-    const std::string gcode = part.file + ".gcode";
-    const std::string said =
-        shell(fmt::format("prusa-slicer --export-gcode --layer-height 0.3 --support-material -o {} {}", gcode,
-                          part.file))
-            .out;
-    ASSERT_TRUE(std::filesystem::exists(gcode)) << said;
-    EXPECT_GT(std::filesystem::file_size(gcode), 100000u) << said;
-  }
+  const std::string gcode = parts.front().file + ".gcode";
+  const std::string said =
+      shell(fmt::format("prusa-slicer --export-gcode --layer-height 0.3 --support-material -o {} {}", gcode,
+                        parts.front().file))
+          .out;
+  ASSERT_TRUE(std::filesystem::exists(gcode)) << said;
+  EXPECT_GT(std::filesystem::file_size(gcode), 100000u) << said;
 }
 
 TEST_F(Outside, AdmeshFindsNothingToMend) {
