@@ -12,6 +12,7 @@ packages=(
   libarchive-dev                                                      # unpacks the real meshes
   coinor-libipopt-dev libopenblas0-pthread                            # Ipopt with MUMPS; OpenBLAS speeds MUMPS up
   libpagmo-dev                                                        # swarms to compare ours with
+  libopenvdb-dev                                                      # offset surfaces
   libgtest-dev libbenchmark-dev
   libcgal-demo                                                        # real meshes (18 MB) for tests and experiments; data only
   python3-h5py python3-matplotlib                                     # plots and the records' tests

@@ -1,4 +1,4 @@
-// stopwatch.hpp - seconds since it was made.
+// stopwatch.hpp - wall seconds since it was made.
 #pragma once
 
 #include <chrono>

@@ -58,13 +58,23 @@ def read(path, arrays=True):
         raise BadRecord(f"{path}: incomplete record: {error}") from None
 
 
-def is_map(path):
-    """Whether it is the record of a map of orientations (map.py), not of a run."""
+def schema_of(path):
+    """What the file says it is; None where it says nothing or is no HDF5."""
     try:
         with h5py.File(path, "r") as file:
-            return file.attrs.get("schema") == "kreisel map"
+            return file.attrs.get("schema")
     except OSError:
-        return False
+        return None
+
+
+def is_map(path):
+    """Whether it is the record of a map of orientations (map.py), not of a run."""
+    return schema_of(path) == "kreisel map"
+
+
+def is_nesting(path):
+    """Whether it is the record of a nesting (nestings.py), not of a run."""
+    return schema_of(path) == "kreisel nesting"
 
 
 def read_folder(folder, arrays=False):
@@ -72,7 +82,8 @@ def read_folder(folder, arrays=False):
     folder = pathlib.Path(folder)
     if not folder.is_dir():
         raise BadRecord(f"{folder}: no such folder, expected one with records")
-    found = [read(path, arrays) for path in sorted(folder.rglob("*.h5")) if not is_map(path)]
+    found = [read(path, arrays) for path in sorted(folder.rglob("*.h5"))
+             if not is_map(path) and not is_nesting(path)]
     if not found:
         raise BadRecord(f"{folder}: no records (*.h5) in it")
     return found
@@ -148,10 +159,10 @@ def published_row(rows, run):
     return None
 
 
-def draw_folder(figure, description, name, published=None):
+def draw_folder(figure, description, name, published=None, reader=None):
     """The command line of a script that draws a folder of records: FOLDER -o PNG [--published JSON].
 
-    figure(records, path of published numbers or None) returns a figure, or throws BadRecord.
+    reader(folder) reads them, by default records of runs. figure(records, path of published numbers or None) returns a figure, or throws BadRecord.
     """
     parser = argparse.ArgumentParser(description=description.splitlines()[0])
     parser.add_argument("folder", help="folder of records (*.h5), searched with its sub-folders")
@@ -163,7 +174,8 @@ def draw_folder(figure, description, name, published=None):
     path = None
     if published:
         path = args.published if args.published.endswith(".json") else published_path(args.published)
-    found = sorted(read_folder(args.folder, arrays=True), key=lambda r: r["provenance"]["started"])
+    read_all = reader or (lambda folder: read_folder(folder, arrays=True))
+    found = sorted(read_all(args.folder), key=lambda r: r["provenance"]["started"])
     save(figure(found, path), args.output)
     print(args.output)
 

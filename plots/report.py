@@ -19,6 +19,7 @@ import urllib.parse
 
 try:
     import map as orientation_map  # this folder's, beside Python's own
+    import nestings
     import records
     from style import plt
 except ImportError as error:
@@ -125,8 +126,15 @@ def about_html(about):
     return "\n".join(f"<p>{text(part)}</p>" for part in paragraphs if part)
 
 
+def read(path):
+    """A record of any kind."""
+    if records.is_map(path):
+        return orientation_map.read(path)
+    return nestings.read(path) if records.is_nesting(path) else records.read(path)
+
+
 def section_html(section):
-    found = [orientation_map.read(path) if records.is_map(path) else records.read(path) for path in section["records"]]
+    found = [read(path) for path in section["records"]]
     for record, simulation in section.get("simulations", {}).items():  # for simulate.py
         next(run for run in found if str(run["path"]) == record)["simulation"] = simulation
     lines = [f'<h2 id="{text(section["name"])}">{text(section["title"])}</h2>', about_html(section["about"])]

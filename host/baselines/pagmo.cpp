@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <limits>
 #include <pagmo/algorithm.hpp>
 #include <pagmo/algorithms/cmaes.hpp>
@@ -16,22 +16,16 @@
 #include <utility>
 
 #include "error.hpp"
-#include "unknown_name.hpp"
+#include "stopwatch.hpp"
 
 namespace kreisel::nest {
 namespace {
 
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 
-struct Entry {
-  std::string_view name;
-  Baseline baseline;
-  int least_particles;
-};
-constexpr std::array entries{Entry{"pagmo-pso", Baseline::pso, 2}, Entry{"pagmo-cmaes", Baseline::cmaes, 5},
-                             Entry{"pagmo-de", Baseline::de, 5}};
-
-const Entry& entry_of(Baseline baseline) { return *std::ranges::find(entries, baseline, &Entry::baseline); }
+const BaselineEntry& entry_of(Baseline baseline) {
+  return *std::ranges::find(baselines, baseline, &BaselineEntry::baseline);
+}
 
 /// What pagmo copies about: the objective and the best seen lie elsewhere.
 struct Box {
@@ -86,18 +80,10 @@ pagmo::algorithm one_generation(Baseline baseline, unsigned seed) {
 
 }  // namespace
 
-Baseline parse_baseline(std::string_view text) {
-  for (const Entry& entry : entries)
-    if (entry.name == text) return entry.baseline;
-  throw unknown_name("variant", text, names_of(entries));
-}
-
-std::string_view to_string(Baseline baseline) { return entry_of(baseline).name; }
-
 BaselineResult search_with_pagmo(Objective& objective, Baseline baseline, int particles, int iterations,
                                  std::uint64_t seed,
                                  const std::function<bool(double, std::uint64_t)>& on_generation) {
-  const Entry& entry = entry_of(baseline);
+  const BaselineEntry& entry = entry_of(baseline);
   if (particles < entry.least_particles)
     throw InputError(fmt::format("{} with {} particles; expected at least {}", entry.name, particles,
                                  entry.least_particles));
@@ -116,6 +102,34 @@ BaselineResult search_with_pagmo(Objective& objective, Baseline baseline, int pa
     if (on_generation && !on_generation(seen.value, seen.evaluations)) break;
   }
   return seen;
+}
+
+OptimiseResult optimise_with_pagmo(const Nesting& nesting, device::Device& device, OptimiseSpec spec,
+                                   const OnIteration& on_iteration) {
+  const Baseline baseline = find_baseline(spec.variant).baseline;
+  spec.variant = "hybrid";  // the scale of every placement is searched, and no search is given up
+  OptimiseResult result;
+  const Stopwatch setup;
+  const Asking asking = make_asking(nesting, device, spec);
+  result.setup_seconds = setup.seconds();
+  const Stopwatch search;
+  SearchState& state = result.state;
+  const SwarmOptions& swarm = spec.search.swarm;
+  const BaselineResult found = search_with_pagmo(
+      *asking.objective, baseline, swarm.particles, swarm.iterations, swarm.seed,
+      [&](double value, std::uint64_t evaluations) {
+        state.scale = std::max(value, 0.0);
+        state.trace.push_back(
+            {static_cast<int>(state.trace.size()), value, std::nan(""), std::nan(""), evaluations});
+        result.ended_early = search.seconds() > spec.seconds || (on_iteration && !on_iteration(state));
+        return !result.ended_early;
+      });
+  state.phase = SearchState::over;
+  state.best = found.best;
+  state.scale = std::max(found.value, 0.0);
+  result.search_seconds = search.seconds();
+  finish(result, asking);
+  return result;
 }
 
 }  // namespace kreisel::nest

@@ -3,20 +3,13 @@
 
 #include <cstdint>
 #include <functional>
-#include <string_view>
 #include <vector>
 
+#include "nest/baseline.hpp"
 #include "nest/objective.hpp"
+#include "nest/optimise.hpp"
 
 namespace kreisel::nest {
-
-/// Particle swarm with constriction and a local topology; covariance matrix adaptation; differential
-/// evolution: pagmo's pso_gen, cmaes and de, at pagmo's own settings.
-enum class Baseline { pso, cmaes, de };
-
-/// @throws InputError  not one of pagmo-pso, pagmo-cmaes, pagmo-de
-[[nodiscard]] Baseline parse_baseline(std::string_view text);
-[[nodiscard]] std::string_view to_string(Baseline baseline);
 
 struct BaselineResult {
   std::vector<double> best;  ///< a position; empty when nothing asked for was feasible
@@ -32,5 +25,13 @@ struct BaselineResult {
 [[nodiscard]] BaselineResult search_with_pagmo(
     Objective& objective, Baseline baseline, int particles, int iterations, std::uint64_t seed,
     const std::function<bool(double, std::uint64_t)>& on_generation);
+
+/// optimise() by the baseline that `spec.variant` names: on the largest scale at each placement, with the
+/// swarm's particles, iterations and seed. There is nothing to resume: a state that it returns ends the
+/// search.
+///
+/// @throws InputError  no baseline's name, or as search_with_pagmo()
+[[nodiscard]] OptimiseResult optimise_with_pagmo(const Nesting& nesting, device::Device& device,
+                                                 OptimiseSpec spec, const OnIteration& on_iteration = {});
 
 }  // namespace kreisel::nest

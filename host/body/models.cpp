@@ -43,6 +43,10 @@ const std::vector<Model>& models() {
        .summary = "solid teapot with spout and handle, 60 x 36.2 x 34.5 mm, to stand or spin",
        .make = teapot_shape,
        .contact = Vec3(28.74, 18.124, 0.0)},  // the middle of its foot
+      {.name = "skull",
+       .summary =
+           "skull with shallow sockets, nearly convex, 46.4 x 58.8 x 60 mm, to stand or to nest in itself",
+       .make = skull_shape},
   };
   return all;
 }

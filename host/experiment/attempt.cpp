@@ -9,8 +9,11 @@
 #include <vector>
 
 #include "error.hpp"
+#include "experiment/outside_nesting.hpp"
 #include "experiment/run_text.hpp"
+#include "nest/baseline.hpp"
 #include "record/map_record.hpp"
+#include "record/nest_record.hpp"
 #include "record/record.hpp"
 
 namespace kreisel {
@@ -71,10 +74,10 @@ class Solve final : public Attempt {
   Solve(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks), mesh_(run.mesh) {}
 
   void run(const Progress& progress) override {
-    result_ = hooks_.run(run_.config, mesh_.file(), progress).result;
+    result_ = hooks_.run(run_.run.config, mesh_.file(), progress).result;
     // Interrupted between two timed solves: whole, but timed less often than asked.
     const bool cut_short =
-        result_->samples.size() < static_cast<std::size_t>(run_.config.repeat) && hooks_.interrupted();
+        result_->samples.size() < static_cast<std::size_t>(run_.run.config.repeat) && hooks_.interrupted();
     whole_ = !cut_short && result_->outcome.termination != Termination::interrupted;
   }
 
@@ -107,13 +110,13 @@ class Mapping final : public Attempt {
  public:
   Mapping(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
 
-  void run(const Progress& progress) override { map_ = hooks_.map(run_.config, progress); }
+  void run(const Progress& progress) override { map_ = hooks_.map(run_.run.config, progress); }
   [[nodiscard]] bool whole() const override { return map_.axes.size() == map_.asked; }
   [[nodiscard]] bool converged() const override { return true; }  // an axis that is infeasible is an answer
   [[nodiscard]] std::string text() const override {
     std::size_t feasible = 0;
     for (std::size_t c = 0; c < map_.cases.size(); ++c) feasible += map_.count(c, MapAnswer::feasible);
-    return fmt::format("{}: {} axes, {:.3g} s, {} of {} feasible", run_text(run_.config), map_.axes.size(),
+    return fmt::format("{}: {} axes, {:.3g} s, {} of {} feasible", run_text(run_.run), map_.axes.size(),
                        map_.sweep_seconds, feasible, map_.answers.size());
   }
   void keep() override { write_map(run_.record, map_); }
@@ -122,6 +125,25 @@ class Mapping final : public Attempt {
   const PlannedRun& run_;
   const RunnerHooks& hooks_;
   OrientationMap map_;
+};
+
+class Nesting final : public Attempt {
+ public:
+  Nesting(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
+
+  void run(const Progress& progress) override { result_ = hooks_.nest(*run_.run.nest, progress); }
+  [[nodiscard]] bool whole() const override { return result_.ending != NestResult::Ending::interrupted; }
+  [[nodiscard]] bool converged() const override { return true; }  // that nothing nests is an answer
+  [[nodiscard]] std::string text() const override {
+    return fmt::format("{}: {}, scale {:.4f}, {} evaluations, {:.3g} s", run_text(run_.run),
+                       termination_of(result_), result_.scale, result_.evaluations, result_.search_seconds);
+  }
+  void keep() override { write_nest(run_.record, result_); }
+
+ private:
+  const PlannedRun& run_;
+  const RunnerHooks& hooks_;
+  NestResult result_;
 };
 
 /// Whether more timed solves are asked for than when the record was made, and would be made now. A record
@@ -136,21 +158,26 @@ bool wants_more_samples(const RunConfig& config, const RecordSummary& record) {
 }  // namespace
 
 std::unique_ptr<Attempt> make_attempt(const PlannedRun& run, const RunnerHooks& hooks) {
-  if (run.config.map) return std::make_unique<Mapping>(run, hooks);
+  if (run.run.nest) {
+    if (nest::is_baseline(run.run.nest->swarm)) return std::make_unique<OutsideNesting>(run);
+    return std::make_unique<Nesting>(run, hooks);
+  }
+  if (run.run.config.map) return std::make_unique<Mapping>(run, hooks);
   return std::make_unique<Solve>(run, hooks);
 }
 
 RunState state_of(const PlannedRun& run) {
   std::error_code ignored;
   if (!fs::exists(run.record, ignored)) return RunState::missing;
-  if (run.config.map && is_map(run.record)) {
+  if (run.run.nest) return read_nest(run.record).error.empty() ? RunState::finished : RunState::failed;
+  if (run.run.config.map && is_map(run.record)) {
     const MapSummary map = read_map(run.record);
     return map.axes == map.asked ? RunState::finished : RunState::missing;
   }
   const RecordSummary record = read_record(run.record);
   if (!record.error.empty()) return RunState::failed;
   if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
-  if (wants_more_samples(run.config, record)) return RunState::few_samples;
+  if (wants_more_samples(run.run.config, record)) return RunState::few_samples;
   return RunState::finished;
 }
 

@@ -60,7 +60,11 @@ class Parser {
 
   Experiment parse() {
     const toml::array* runs = nullptr;
+    if (const toml::node* table = root_.get("table"))
+      experiment_.table = table_of(*table, table->source().begin.line);
+    nestings_ = find_table_kind(experiment_.table).nestings;
     ExperimentRun defaults;
+    if (nestings_) defaults.nest.emplace();
     std::vector<Assignment> common;
     for (auto&& [key, node] : root_) {
       const unsigned line = key.source().begin.line;
@@ -69,7 +73,7 @@ class Parser {
       } else if (key == "published") {
         experiment_.published = string_of(key.str(), node, line);
       } else if (key == "table") {
-        experiment_.table = table_of(node, line);
+        continue;  // says what the other keys are, and so came first
       } else if (key == "figures") {
         experiment_.figures = figures_of(node, line);
       } else if (key == "run") {
@@ -100,6 +104,7 @@ class Parser {
   void require_one_kind() const {
     const unsigned line = root_.source().end.line;
     for (const ExperimentRun& run : experiment_.runs) {
+      if (run.nest) continue;
       if (run.config.map && experiment_.table != "maps")
         fail(line, fmt::format("table = \"{}\" with a map of orientations, expected table = \"maps\"",
                                experiment_.table));
@@ -142,6 +147,8 @@ class Parser {
     const toml::source_position at = key.source().begin;
     if (key == "label") {
       run.label = string_of("label", node, at.line);
+    } else if (nestings_) {
+      read_of_nesting(key, node, into);
     } else if (key == "mesh") {
       const auto value = node.value_exact<bool>();
       if (!value) fail(at.line, "mesh is not a boolean, expected true or false");
@@ -155,6 +162,15 @@ class Parser {
       require_known(key.str(), at.line);
       into.push_back({std::string(key.str()), values_of(key.str(), node, at.line), at});
     }
+  }
+
+  void read_of_nesting(const toml::key& key, const toml::node& node, std::vector<Assignment>& into) const {
+    const toml::source_position at = key.source().begin;
+    std::vector<std::string_view> names = {"title", "table", "published", "figures", "run", "label"};
+    for (const NestField& field : nest_fields()) names.push_back(field.name);
+    if (std::ranges::find(names, key.str()) == names.end())
+      fail(at.line, unknown_name("key", key.str(), names).what());
+    into.push_back({std::string(key.str()), values_of(key.str(), node, at.line), at});
   }
 
   void require_known(std::string_view key, unsigned line) const {
@@ -226,6 +242,7 @@ class Parser {
     while (true) {
       ExperimentRun run = base;
       for (std::size_t i = 0; i < assignments.size(); ++i) apply(run, assignments[i], choice[i]);
+      if (run.nest) require_fit(*run.nest, assignments);
       experiment_.runs.push_back(std::move(run));
       std::size_t turn = assignments.size();
       while (turn > 0 && ++choice[turn - 1] == assignments[turn - 1].values.size()) choice[--turn] = 0;
@@ -233,10 +250,22 @@ class Parser {
     }
   }
 
+  /// @param assignments  of the run, for the line
+  void require_fit(const NestConfig& config, const std::vector<Assignment>& assignments) const {
+    try {
+      require_valid(config);
+    } catch (const InputError& error) {
+      fail(assignments.empty() ? root_.source().end.line : assignments.back().at.line, error.what());
+    }
+  }
+
   void apply(ExperimentRun& run, const Assignment& assignment, std::size_t choice) const {
     const Value& value = assignment.values[choice];
     try {
-      set_field(run.config, assignment.key, value.text);
+      if (run.nest)
+        set_field(*run.nest, assignment.key, value.text);
+      else
+        set_field(run.config, assignment.key, value.text);
     } catch (const InputError& error) {
       fail(value.line, error.what());
     }
@@ -244,6 +273,7 @@ class Parser {
 
   std::string file_;
   toml::table root_;
+  bool nestings_ = false;  ///< its runs are
   Experiment experiment_;
 };
 

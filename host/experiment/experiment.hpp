@@ -2,19 +2,22 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "run/config.hpp"
+#include "run/nest_config.hpp"
 
 namespace kreisel {
 
-/// One run of an experiment.
+/// One run of an experiment: a solve or a map, or a nesting.
 struct ExperimentRun {
   RunConfig config;
-  std::string label;  ///< names the group of settings it belongs to, e.g. "paper"; may be empty
-  bool mesh = false;  ///< keep the printable mesh beside the record
+  std::optional<NestConfig> nest;  ///< then `config` says nothing
+  std::string label;               ///< names the group of settings it belongs to, e.g. "paper"; may be empty
+  bool mesh = false;               ///< keep the printable mesh beside the record
 };
 
 /// A parsed experiment file.
@@ -35,6 +38,8 @@ struct Experiment {
 ///     label, mesh                                        of a run, never lists
 ///     every key of set_field() except GROUP.NAME         a string, number or boolean (written yes or no)
 ///     set.GROUP.NAME or set."GROUP.NAME"                 solver, problem and formulation settings
+///
+/// With a table of nestings (TableKind::nestings) every run is one, and the keys are those of NestConfig.
 ///
 /// @param file  for messages, and its stem for the name
 /// @throws InputError  "FILE: line N: what, expected ...": bad TOML, unknown key, unfit value, no run

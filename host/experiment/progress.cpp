@@ -26,6 +26,13 @@ double weight(const RunConfig& config) {
   return std::pow(cells, 1.2);
 }
 
+/// Of a nesting: placements asked for.
+double weight(const NestConfig& config) {
+  const nest::SwarmOptions& swarm = config.search.swarm;
+  if (config.accuracy > 0) return config.accuracy;
+  return config.free.empty() ? 1 : static_cast<double>(swarm.particles) * (swarm.iterations + 1);
+}
+
 std::size_t columns(std::FILE* out) {
   winsize size{};
   return ioctl(fileno(out), TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col : 80;
@@ -33,20 +40,26 @@ std::size_t columns(std::FILE* out) {
 
 }  // namespace
 
-void Estimate::finished(const RunConfig& config, double seconds) {
-  const double w = weight(config);
-  for (Spent* spent : {&by_formulation_[config.formulation], &all_}) {
+Effort effort_of(const ExperimentRun& run) {
+  if (run.nest)
+    return {run_text(run), fmt::format("{} {}", shapes_text(*run.nest), kind_of(*run.nest)),
+            weight(*run.nest)};
+  // Formulations differ by an order of magnitude.
+  return {run_text(run), run.config.formulation, weight(run.config)};
+}
+
+void Estimate::finished(const Effort& run, double seconds) {
+  for (Spent* spent : {&by_kind_[run.kind], &all_}) {
     spent->seconds += seconds;
-    spent->weight += w;
+    spent->weight += run.weight;
   }
 }
 
-std::optional<double> Estimate::seconds(const RunConfig& config) const {
-  // Formulations differ by an order of magnitude, so one's own runs are asked first.
-  const auto own = by_formulation_.find(config.formulation);
-  const Spent& spent = own != by_formulation_.end() ? own->second : all_;
+std::optional<double> Estimate::seconds(const Effort& run) const {
+  const auto own = by_kind_.find(run.kind);
+  const Spent& spent = own != by_kind_.end() ? own->second : all_;
   if (spent.weight <= 0) return std::nullopt;
-  return spent.seconds / spent.weight * weight(config);
+  return spent.seconds / spent.weight * run.weight;
 }
 
 std::string duration_text(double seconds) {
@@ -57,7 +70,7 @@ std::string duration_text(double seconds) {
   return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
 }
 
-ProgressLine::ProgressLine(std::FILE* out, std::vector<RunConfig> runs)
+ProgressLine::ProgressLine(std::FILE* out, std::vector<Effort> runs)
     : out_(out), terminal_(isatty(fileno(out)) != 0), runs_(std::move(runs)) {
   if (terminal_) ticker_ = std::jthread([this](const std::stop_token& stop) { tick(stop); });
 }
@@ -121,7 +134,7 @@ std::string ProgressLine::left() const {
 }
 
 void ProgressLine::draw() {
-  std::string line = fmt::format("[{}/{}] {}", index_ + 1, runs_.size(), run_text(runs_.at(index_)));
+  std::string line = fmt::format("[{}/{}] {}", index_ + 1, runs_.size(), runs_.at(index_).text);
   if (!step_.empty()) line += ": " + step_;
   const std::string tail = fmt::format(" ... {}{}", duration_text(elapsed()), left());
   // A line that wraps cannot be taken back with \r; the times are worth more than the step.

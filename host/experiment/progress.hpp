@@ -11,23 +11,30 @@
 #include <thread>
 #include <vector>
 
-#include "run/config.hpp"
+#include "experiment/experiment.hpp"
 
 namespace kreisel {
+
+/// A run to come: what it is called, which are like it, and how much work it is beside those.
+struct Effort {
+  std::string text, kind;
+  double weight = 1;
+};
+[[nodiscard]] Effort effort_of(const ExperimentRun& run);
 
 /// Guesses how long runs take from those that are over.
 class Estimate {
  public:
-  void finished(const RunConfig& config, double seconds);
+  void finished(const Effort& run, double seconds);
 
   /// Seconds of a run still to come; empty before the first one is over.
-  [[nodiscard]] std::optional<double> seconds(const RunConfig& config) const;
+  [[nodiscard]] std::optional<double> seconds(const Effort& run) const;
 
  private:
   struct Spent {
     double seconds = 0, weight = 0;
   };
-  std::map<std::string, Spent> by_formulation_;
+  std::map<std::string, Spent> by_kind_;
   Spent all_;
 };
 
@@ -39,7 +46,7 @@ class Estimate {
 class ProgressLine {
  public:
   /// @param runs  what will run, in order
-  ProgressLine(std::FILE* out, std::vector<RunConfig> runs);
+  ProgressLine(std::FILE* out, std::vector<Effort> runs);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -62,7 +69,7 @@ class ProgressLine {
 
   std::FILE* out_;
   bool terminal_;
-  std::vector<RunConfig> runs_;
+  std::vector<Effort> runs_;
   Estimate estimate_;
   std::mutex mutex_;  ///< guards everything below, and the terminal
   std::condition_variable_any wake_;

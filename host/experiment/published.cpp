@@ -37,6 +37,14 @@ std::optional<PublishedRow::Voids> voids(const nlohmann::json& row) {
   return PublishedRow::Voids{found.at("pieces").get<int>(), found.at("cuts").get<int>()};
 }
 
+std::optional<PublishedRow::Nesting> nesting(const nlohmann::json& row) {
+  if (!row.contains("nesting")) return std::nullopt;
+  const auto& found = row.at("nesting");
+  return PublishedRow::Nesting{found.at("triangles").get<int>(), found.at("test_ms").get<double>(),
+                               found.at("search_ms").get<double>(), found.at("seconds").get<double>(),
+                               found.at("scale").get<double>()};
+}
+
 }  // namespace
 
 const PublishedRow* Published::find(const std::string& model, const std::optional<std::array<int, 3>>& grid,
@@ -69,6 +77,7 @@ Published read_published(const std::filesystem::path& file) {
       out.inertia = inertia(row);
       out.standing = standing(row);
       out.voids = voids(row);
+      out.nesting = nesting(row);
       if (row.contains("omega_reduction")) out.omega_reduction = row.at("omega_reduction").get<double>();
       if (row.contains("settings"))
         out.settings = row.at("settings").get<std::map<std::string, std::string>>();

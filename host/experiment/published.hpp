@@ -28,6 +28,11 @@ struct PublishedRow {
   struct Voids {
     int pieces = 0, cuts = 0;
   };
+  /// Of both shapes together; a feasibility test, a scale search, all of an optimisation.
+  struct Nesting {
+    int triangles = 0;
+    double test_ms = 0, search_ms = 0, seconds = 0, scale = 0;
+  };
   std::string model;                       ///< as this project names it; the file says how the paper does
   std::optional<std::array<int, 3>> grid;  ///< cells along x, y, z
   std::string problem;                     ///< empty: the paper's only one
@@ -39,6 +44,7 @@ struct PublishedRow {
   std::optional<Inertia> inertia;
   std::optional<Standing> standing;
   std::optional<Voids> voids;
+  std::optional<Nesting> nesting;
 };
 
 struct Published {

@@ -24,4 +24,12 @@ std::string run_text(const RunConfig& config) {
                      solver_of(config));
 }
 
+std::string run_text(const ExperimentRun& run) {
+  if (!run.nest) return run_text(run.config);
+  const NestConfig& nest = *run.nest;
+  const std::string shapes = shapes_text(nest), label = run.label.empty() ? "" : " " + run.label;
+  if (kind_of(nest) != "swarm") return fmt::format("{} {}{}", shapes, kind_of(nest), label);
+  return fmt::format("{} {} {} seed {}{}", shapes, nest.swarm, nest.free, nest.search.swarm.seed, label);
+}
+
 }  // namespace kreisel

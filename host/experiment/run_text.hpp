@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "experiment/experiment.hpp"
 #include "run/config.hpp"
 
 namespace kreisel {
@@ -12,6 +13,9 @@ namespace kreisel {
 
 /// "ellipsoid 80x52x51 voxel ipopt", "bunny 100 spin map through centre"; a mesh file by its stem.
 [[nodiscard]] std::string run_text(const RunConfig& config);
+
+/// The same of any run; "bunny in bunny hybrid+abort all seed 3" of a nesting.
+[[nodiscard]] std::string run_text(const ExperimentRun& run);
 
 /// The stem of a mesh file, or the name of a model.
 [[nodiscard]] std::string model_text(const RunConfig& config);

@@ -12,6 +12,7 @@
 #include "experiment/attempt.hpp"
 #include "experiment/progress.hpp"
 #include "experiment/run_text.hpp"
+#include "record/nest_record.hpp"
 #include "record/record.hpp"
 
 namespace kreisel {
@@ -35,11 +36,11 @@ std::string_view text_of(RunState state) {
 }
 
 /// A device that cannot be opened is often why the run failed, so its absence is no second error.
-Provenance provenance_of(const RunConfig& config) {
+Provenance provenance_of(const ExperimentRun& run) {
   using device::Precision;
   try {
-    const device::Device device(config.device,
-                                config.single_precision ? Precision::single : Precision::automatic);
+    const device::Device device(run.nest ? run.nest->device : run.config.device,
+                                run.config.single_precision ? Precision::single : Precision::automatic);
     return make_provenance(device);
   } catch (const std::exception&) {
     return {};
@@ -55,18 +56,18 @@ void make_folder(const fs::path& folder) {
 
 }  // namespace
 
-fs::path record_path(const fs::path& results, const std::string& experiment, const RunConfig& config) {
-  return results / experiment / (run_name(config) + ".h5");
+fs::path record_path(const fs::path& results, const std::string& experiment, const ExperimentRun& run) {
+  return results / experiment / ((run.nest ? run_name(*run.nest) : run_name(run.config)) + ".h5");
 }
 
 std::vector<PlannedRun> plan_runs(const Experiment& experiment, const RunnerOptions& options) {
   std::vector<PlannedRun> plan;
   for (const ExperimentRun& run : experiment.runs) {
-    const fs::path record = record_path(options.results, experiment.name, run.config);
+    const fs::path record = record_path(options.results, experiment.name, run);
     auto known =
         std::find_if(plan.begin(), plan.end(), [&](const auto& other) { return other.record == record; });
     if (known == plan.end()) {
-      plan.push_back({run.config, record, {}, {}});
+      plan.push_back({run, record, {}, {}});
       known = plan.end() - 1;
     }
     if (run.mesh) known->mesh = fs::path(record).replace_extension(".stl");
@@ -83,8 +84,7 @@ std::string dry_run(const Experiment& experiment, const RunnerOptions& options) 
   std::size_t finished = 0;
   for (const PlannedRun& run : plan) {
     if (run.state == RunState::finished) ++finished;
-    text +=
-        fmt::format("{:<24}  {:<40}  {}\n", text_of(run.state), run_text(run.config), run.record.string());
+    text += fmt::format("{:<24}  {:<40}  {}\n", text_of(run.state), run_text(run.run), run.record.string());
   }
   text += fmt::format("{}: {} to run, {} finished\n", experiment.name, plan.size() - finished, finished);
   return text;
@@ -94,18 +94,18 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
                          const RunnerHooks& hooks) {
   RunCounts counts;
   std::vector<PlannedRun> pending;
-  std::vector<RunConfig> configs;
+  std::vector<Effort> efforts;
   for (PlannedRun& run : plan_runs(experiment, options)) {
     if (run.state == RunState::finished) {
       ++counts.skipped;
       continue;
     }
-    configs.push_back(run.config);
+    efforts.push_back(effort_of(run.run));
     pending.push_back(std::move(run));
   }
   if (!pending.empty()) make_folder(options.results / experiment.name);
 
-  ProgressLine progress(options.log, std::move(configs));
+  ProgressLine progress(options.log, std::move(efforts));
   for (std::size_t i = 0; i < pending.size() && !counts.interrupted; ++i) {
     const PlannedRun& run = pending[i];
     if (hooks.interrupted()) {
@@ -137,10 +137,13 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
       // What an interruption tore apart says nothing about the run.
       counts.interrupted = true;
     } else {
-      write_failure(run.record, run.config,
-                    hooks.provenance ? hooks.provenance(run.config) : provenance_of(run.config), error);
+      const Provenance provenance = hooks.provenance ? hooks.provenance(run.run) : provenance_of(run.run);
+      if (run.run.nest)
+        write_nest_failure(run.record, *run.run.nest, provenance, error);
+      else
+        write_failure(run.record, run.run.config, provenance, error);
       ++counts.failed;
-      fmt::print(options.log, "{}: failed: {}\n", run_text(run.config), error);
+      fmt::print(options.log, "{}: failed: {}\n", run_text(run.run), error);
       std::fflush(options.log);
     }
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiment/experiment.hpp"
+#include "run/nest_run.hpp"
 #include "run/orientation_map.hpp"
 #include "run/pipeline.hpp"
 #include "solve/interrupt.hpp"
@@ -28,9 +29,15 @@ struct RunnerHooks {
                                                                             const Progress& progress) {
     return map_orientations(map_spec(config), progress);
   };
+  std::function<NestResult(const NestConfig&, const Progress&)> nest = [](const NestConfig& config,
+                                                                          const Progress& progress) {
+    NestHooks hooks;
+    hooks.progress = progress;
+    return run_nest(config, hooks);
+  };
   std::function<bool()> interrupted = kreisel::interrupted;
   /// Of a run that failed before it could say itself.
-  std::function<Provenance(const RunConfig&)> provenance;
+  std::function<Provenance(const ExperimentRun&)> provenance;
 };
 
 /// What is on disk for one run.
@@ -44,7 +51,7 @@ enum class RunState {
 
 /// One distinct run of an experiment; runs that differ only in label share it.
 struct PlannedRun {
-  RunConfig config;
+  ExperimentRun run;
   std::filesystem::path record;
   std::filesystem::path mesh;  ///< beside the record, same stem; empty: not kept
   RunState state = RunState::missing;
@@ -59,9 +66,9 @@ struct RunCounts {
   bool interrupted = false;
 };
 
-/// <results>/<experiment name>/<run_name(config)>.h5
+/// <results>/<experiment name>/<run_name()>.h5
 [[nodiscard]] std::filesystem::path record_path(const std::filesystem::path& results,
-                                                const std::string& experiment, const RunConfig& config);
+                                                const std::string& experiment, const ExperimentRun& run);
 
 /// @throws InputError  a record that cannot be read: it may be of a newer version, so it is not replaced
 /// unasked

@@ -8,6 +8,7 @@
 #include "experiment/data_folder.hpp"
 #include "experiment/inertia_table.hpp"
 #include "experiment/maps_table.hpp"
+#include "experiment/nest_table.hpp"
 #include "experiment/octree_table.hpp"
 #include "experiment/published_table.hpp"
 #include "experiment/run_text.hpp"
@@ -45,6 +46,11 @@ const std::vector<TableKind>& table_kinds() {
       {"octree",
        "a row a run: cells, seconds and memory from the model to the written part, and what it reaches",
        octree_tables},
+      {"nestings", "a row a nesting: triangles, ms a test and a search, seconds, scales, beside a paper",
+       nestings_tables, true},
+      {"nest-variants", "a row a setting of a search, over its seeds: scales with their spread, seconds",
+       nest_variants_tables, true},
+      {"nest-accuracy", "a row a resolution: sampled scales less exact ones", nest_accuracy_tables, true},
   };
   return all;
 }
@@ -58,12 +64,14 @@ const TableKind& find_table_kind(std::string_view name) {
 std::vector<RecordedRun> collect(const Experiment& experiment, const std::filesystem::path& results) {
   std::vector<RecordedRun> runs;
   for (const ExperimentRun& run : experiment.runs) {
-    const auto path = record_path(results, experiment.name, run.config);
+    const auto path = record_path(results, experiment.name, run);
     std::error_code ignored;
     RecordedRun& recorded = runs.emplace_back();
     recorded.run = run;
     if (!std::filesystem::exists(path, ignored)) continue;
-    if (run.config.map && is_map(path))
+    if (run.nest)
+      recorded.nest = read_nest(path);
+    else if (run.config.map && is_map(path))
       recorded.map = read_map(path);
     else
       recorded.record = read_record(path);

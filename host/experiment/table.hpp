@@ -11,6 +11,7 @@
 #include "experiment/published.hpp"
 #include "experiment/sheet.hpp"
 #include "record/map_record.hpp"
+#include "record/nest_record.hpp"
 #include "record/record.hpp"
 
 namespace kreisel {
@@ -20,12 +21,19 @@ struct RecordedRun {
   ExperimentRun run;
   std::optional<RecordSummary> record;  ///< of a solve, or of what failed; empty: it did not run yet
   std::optional<MapSummary> map;        ///< of a map
+  std::optional<NestSummary> nest;      ///< of a nesting
+
+  /// The record's file; empty where there is none.
+  [[nodiscard]] std::filesystem::path path() const {
+    return nest ? nest->path : map ? map->path : record ? record->path : std::filesystem::path();
+  }
 };
 
 /// A way to set runs out, as `table = "NAME"` of an experiment names it.
 struct TableKind {
   std::string_view name, summary;
   Tables (*make)(const std::vector<RecordedRun>& runs, const std::optional<Published>& published);
+  bool nestings = false;  ///< sets out nestings, not solves or maps
 };
 
 [[nodiscard]] const std::vector<TableKind>& table_kinds();

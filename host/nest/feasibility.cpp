@@ -74,11 +74,21 @@ std::vector<Verdict> Feasibility::check(std::span<const Placement> placements) {
   return verdicts;
 }
 
+namespace {
+
+const Entry& find_way(std::string_view name) {
+  for (const Entry& way : ways)
+    if (way.name == name) return way;
+  throw unknown_name("feasibility test", name, names_of(ways));
+}
+
+}  // namespace
+
+void require_test(std::string_view name) { (void)find_way(name); }
+
 std::unique_ptr<Feasibility> make_feasibility(std::string_view name, device::Device& device,
                                               const Nesting& nesting, int resolution) {
-  for (const Entry& way : ways)
-    if (way.name == name) return way.make(device, nesting, resolution);
-  throw unknown_name("feasibility test", name, names_of(ways));
+  return find_way(name).make(device, nesting, resolution);
 }
 
 }  // namespace kreisel::nest

@@ -45,6 +45,9 @@ class Feasibility {
   [[nodiscard]] virtual std::vector<Verdict> check(std::span<const Placement> placements);
 };
 
+/// @throws InputError  none of the names that make_feasibility() takes
+void require_test(std::string_view name);
+
 /// A feasibility test by name: `peel`, `envelope`, `exact`, `hybrid`.
 /// @param resolution  pixels along a side of each view, 1 to 16384; `exact` and `hybrid` have no views
 /// @throws InputError  unknown name, resolution out of range

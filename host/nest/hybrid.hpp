@@ -35,6 +35,8 @@ class Hybrid : public Feasibility, public ScaleSearch {
   /// Also learns: points of B that decided a search are asked first by the next batch.
   [[nodiscard]] std::vector<FoundScale> search(std::span<const Placement> placements,
                                                std::span<const SearchLimits> limits) override;
+  [[nodiscard]] std::vector<Vec3> memory() const override { return witnesses_; }
+  void recall(const std::vector<Vec3>& witnesses) override { witnesses_ = witnesses; }
 
  private:
   class Descent;

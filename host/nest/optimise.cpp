@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numeric>
 
 #include "error.hpp"
@@ -17,17 +16,49 @@
 namespace kreisel::nest {
 namespace {
 
-/// The objective with what it asks.
-struct Asking {
-  std::unique_ptr<Feasibility> feasibility;
-  std::unique_ptr<ScaleSearch> search;
-  std::unique_ptr<PlacementObjective> objective;
-  LargestScale* largest = nullptr;  ///< the objective, where it is one
-};
+/// A checkpoint may come from a file: whatever is read of it has the length that this search gives it.
+void require_same_search(const SearchState& state, const Space& space,
+                         const PlacementSearchOptions& options) {
+  const auto size = static_cast<std::size_t>(space.size()), steps = static_cast<std::size_t>(space.steps()),
+             particles = static_cast<std::size_t>(options.swarm.particles),
+             swarms = static_cast<std::size_t>(options.swarm.swarms);
+  const SwarmState& s = state.swarm;
+  if (s.x.size() != size * particles)
+    throw InputError(fmt::format("a checkpoint of {} numbers; expected {}: {} particles of {}", s.x.size(),
+                                 size * particles, particles, size));
+  const auto none_or = [](std::size_t n, std::size_t expected) { return n == 0 || n == expected; };
+  const bool climbing = state.phase == SearchState::climbing;
+  const bool same = s.v.size() == s.x.size() && s.own.size() == s.x.size() &&
+                    s.own_value.size() == particles && s.rose.size() == swarms && s.drawn.size() == swarms &&
+                    s.placed.size() == swarms && s.top.size() == swarms && none_or(s.best.size(), size) &&
+                    none_or(state.best.size(), size) && !state.trace.empty() &&
+                    (!climbing || (state.climb.x.size() == size && state.climb.path.size() == steps &&
+                                   state.climb.covariance.size() == steps * steps));
+  if (!same)
+    throw InputError(fmt::format("a checkpoint that does not fit; expected one of {} swarms over {} numbers",
+                                 swarms, size));
+}
+
+void run_swarm(OptimiseResult& result, const Asking& asking, const OptimiseSpec& spec,
+               const std::function<bool()>& go_on, const OnIteration& on_iteration,
+               const SearchState* resume) {
+  const PlacementSearch search(*asking.objective, spec.search);
+  if (resume) require_same_search(*resume, asking.objective->space(), spec.search);
+  result.state = resume ? *resume : search.start();
+  const auto told = [&] { return !on_iteration || on_iteration(result.state); };
+  bool more = told() && go_on();
+  while (more && search.step(result.state)) more = told() && go_on();
+  result.ended_early = result.state.phase != SearchState::over;
+}
+
+}  // namespace
 
 Asking make_asking(const Nesting& nesting, device::Device& device, const OptimiseSpec& spec) {
   const bool basic = spec.variant == "basic";
-  PlacementSpace space(spec.freedom, nesting.outer_box(), basic, nesting.largest_scale());
+  if (spec.upper && !(*spec.upper > 0))
+    throw InputError(fmt::format("upper bound {} of the scale; expected a number > 0", *spec.upper));
+  const double upper = std::min(nesting.largest_scale(), spec.upper.value_or(nesting.largest_scale()));
+  PlacementSpace space(spec.freedom, nesting.outer_box(), basic, upper);
   if (spec.freedom.position && spec.start_inside) {
     constexpr int lattice = 4096;
     space.start_near(deep_points(nesting, lattice));
@@ -41,34 +72,25 @@ Asking make_asking(const Nesting& nesting, device::Device& device, const Optimis
     return asking;
   }
   asking.search = make_search(spec.test, device, nesting, spec.resolution);
-  auto largest =
-      std::make_unique<LargestScale>(std::move(space), std::move(keep_outs), *asking.search,
-                                     nesting.largest_scale(), spec.tolerance, spec.variant == "hybrid+abort");
+  auto largest = std::make_unique<LargestScale>(std::move(space), std::move(keep_outs), *asking.search, upper,
+                                                spec.tolerance, spec.variant == "hybrid+abort");
   asking.largest = largest.get();
   asking.objective = std::move(largest);
   return asking;
 }
 
-void require_same_search(const SearchState& state, const Space& space, const SwarmOptions& options) {
-  const auto numbers = static_cast<std::size_t>(space.size() * options.particles);
-  if (state.swarm.x.size() != numbers)
-    throw InputError(fmt::format("a checkpoint of {} numbers; expected {}: {} particles of {}",
-                                 state.swarm.x.size(), numbers, options.particles, space.size()));
+void finish(OptimiseResult& result, const Asking& asking) {
+  if (!result.state.best.empty()) {
+    result.best = asking.objective->placements().placement(result.state.best);
+    result.best->pose.scale = result.state.scale;
+  }
+  if (asking.largest) {
+    result.tests = asking.largest->tests();
+    result.aborted = asking.largest->aborted();
+  } else {
+    result.tests = result.state.evaluations();
+  }
 }
-
-void run_swarm(OptimiseResult& result, const Asking& asking, const OptimiseSpec& spec,
-               const std::function<bool()>& go_on, const OnIteration& on_iteration,
-               const SearchState* resume) {
-  const PlacementSearch search(*asking.objective, spec.search);
-  if (resume) require_same_search(*resume, asking.objective->space(), spec.search.swarm);
-  result.state = resume ? *resume : search.start();
-  const auto told = [&] { return !on_iteration || on_iteration(result.state); };
-  bool more = told() && go_on();
-  while (more && search.step(result.state)) more = told() && go_on();
-  result.ended_early = result.state.phase != SearchState::over;
-}
-
-}  // namespace
 
 const std::vector<std::string_view>& variants() {
   static const std::vector<std::string_view> all = {"basic", "hybrid", "hybrid+abort"};
@@ -85,22 +107,13 @@ OptimiseResult optimise(const Nesting& nesting, device::Device& device, const Op
   require_variant(spec.variant);
   OptimiseResult result;
   const Stopwatch setup;
-  Asking asking = make_asking(nesting, device, spec);
+  const Asking asking = make_asking(nesting, device, spec);
   result.setup_seconds = setup.seconds();
   const Stopwatch search;
   run_swarm(
       result, asking, spec, [&] { return search.seconds() < spec.seconds; }, on_iteration, resume);
   result.search_seconds = search.seconds();
-  if (!result.state.best.empty()) {
-    result.best = asking.objective->placements().placement(result.state.best);
-    result.best->pose.scale = result.state.scale;
-  }
-  if (asking.largest) {
-    result.tests = asking.largest->tests();
-    result.aborted = asking.largest->aborted();
-  } else {
-    result.tests = result.state.evaluations();
-  }
+  finish(result, asking);
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,7 @@ struct OptimiseSpec {
   std::string test = "hybrid";  ///< what decides: a name of make_search(), of make_feasibility() for `basic`
   int resolution = 512;         ///< of its views, where it has any
   double tolerance = 1e-4;      ///< of scales
+  std::optional<double> upper;  ///< no scale above this; none: what can fit
   bool start_inside = true;     ///< centroids start deep inside A, in place of anywhere in its box
   PlacementSearchOptions search;
   double seconds = std::numeric_limits<double>::infinity();  ///< after which it ends early
@@ -48,6 +50,20 @@ using OnIteration = std::function<bool(const SearchState& state)>;
 [[nodiscard]] OptimiseResult optimise(const Nesting& nesting, device::Device& device,
                                       const OptimiseSpec& spec, const OnIteration& on_iteration = {},
                                       const SearchState* resume = nullptr);
+
+/// An objective over placements with all that it asks.
+struct Asking {
+  std::unique_ptr<Feasibility> feasibility;
+  std::unique_ptr<ScaleSearch> search;
+  std::unique_ptr<PlacementObjective> objective;
+  LargestScale* largest = nullptr;  ///< the objective, where it is one
+};
+
+/// @throws InputError  an unknown test, keep-outs that hold nothing, a bound that is not > 0
+[[nodiscard]] Asking make_asking(const Nesting& nesting, device::Device& device, const OptimiseSpec& spec);
+
+/// Fills in what follows from the state: the best placement, tests and searches given up.
+void finish(OptimiseResult& result, const Asking& asking);
 
 /// Points inside A, by their distance from its surface, the deepest first: of a lattice of about `count`
 /// points in its box.

@@ -21,6 +21,10 @@ class PlacementObjective : public Objective {
 
   [[nodiscard]] const PlacementSpace& placements() const { return placements_; }
 
+  /// Of the search that it asks, as ScaleSearch has them.
+  [[nodiscard]] virtual std::vector<Vec3> memory() const { return {}; }
+  virtual void recall(const std::vector<Vec3>&) {}
+
  protected:
   PlacementObjective(PlacementSpace placements, KeepOuts keep_outs)
       : placements_(std::move(placements)), keep_outs_(std::move(keep_outs)) {}
@@ -63,6 +67,9 @@ class LargestScale final : public PlacementObjective {
         abort_(abort) {}
   [[nodiscard]] std::vector<double> values(std::span<const double> positions,
                                            std::span<const double> floors) override;
+
+  [[nodiscard]] std::vector<Vec3> memory() const override { return search_->memory(); }
+  void recall(const std::vector<Vec3>& memory) override { search_->recall(memory); }
 
   [[nodiscard]] std::uint64_t tests() const { return tests_; }  ///< FoundScale::tests of all searches
   [[nodiscard]] std::uint64_t aborted() const { return aborted_; }

@@ -32,6 +32,7 @@ SearchState PlacementSearch::start() const {
   SwarmStep step{};
   state.swarm = swarm_.start(&step);
   keep(state, step, state.swarm.best, state.swarm.best_value);
+  state.memory = objective_.memory();
   return state;
 }
 
@@ -62,6 +63,7 @@ void PlacementSearch::begin_climb(SearchState& state) const {
 }
 
 bool PlacementSearch::step(SearchState& state) const {
+  objective_.recall(state.memory);
   if (state.phase == SearchState::swarming) {
     if (state.swarm.iteration < options_.swarm.iterations) {
       const SwarmStep step = swarm_.step(state.swarm);
@@ -82,6 +84,7 @@ bool PlacementSearch::step(SearchState& state) const {
       begin_climb(state);
     }
   }
+  state.memory = objective_.memory();
   return state.phase != SearchState::over;
 }
 

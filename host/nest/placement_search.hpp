@@ -20,6 +20,7 @@ struct SearchState {
   std::vector<SwarmStep> trace;  ///< every iteration, the climbs' counted on from the swarm's
   std::vector<double> best;      ///< position; empty while nothing nests
   double scale = 0;              ///< of the best
+  std::vector<Vec3> memory;      ///< what the scale search has learned: answers may differ by it, if little
 
   [[nodiscard]] std::uint64_t evaluations() const { return trace.empty() ? 0 : trace.back().evaluations; }
 };

@@ -36,6 +36,11 @@ class ScaleSearch {
   /// Many particles at once; one limit each. The answers do not depend on the number of threads.
   [[nodiscard]] virtual std::vector<FoundScale> search(std::span<const Placement> placements,
                                                        std::span<const SearchLimits> limits);
+
+  /// What it has learned and may answer by, within the tolerance; none as a rule. A search that recalls the
+  /// memory of another answers as that one would.
+  [[nodiscard]] virtual std::vector<Vec3> memory() const { return {}; }
+  virtual void recall(const std::vector<Vec3>&) {}
 };
 
 /// A scale search by name: `peel`, `envelope`, `exact` by bisection, `hybrid`.

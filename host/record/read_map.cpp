@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "record/hdf5_file.hpp"
 #include "record/map_record.hpp"
+#include "record/schema.hpp"
 
 namespace kreisel {
 namespace {
@@ -15,17 +16,6 @@ namespace {
 using hdf5::Group;
 
 constexpr const char* schema = "kreisel map";
-
-std::string schema_of(const hdf5::File& file) { return file.has("schema") ? file.text("schema") : ""; }
-
-void check_schema(const hdf5::File& file, const std::string& name) {
-  if (schema_of(file) != schema || !file.has("schema_version"))
-    throw InputError(fmt::format("{}: not a map, expected the attribute schema = {}", name, schema));
-  const std::int64_t version = file.integer("schema_version");
-  if (version < 1 || version > map_schema_version)
-    throw InputError(fmt::format("{}: schema version {}, expected 1 to {}; a newer program wrote it", name,
-                                 version, map_schema_version));
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -72,7 +62,7 @@ bool is_map(const std::filesystem::path& path) { return schema_of(hdf5::File::op
 MapSummary read_map(const std::filesystem::path& path) {
   const hdf5::File file = hdf5::File::open(path);
   const std::string name = path.string();
-  check_schema(file, name);
+  require_schema(file, name, "a map", schema, map_schema_version);
   MapSummary map;
   map.path = path;
   map.model = file.text("model");

@@ -14,43 +14,15 @@
 #include "parse.hpp"
 #include "problem/problem.hpp"
 #include "run/field_names.hpp"
+#include "run/field_text.hpp"
 #include "solve/solver.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel {
+using namespace field_text;
 namespace {
 
 constexpr std::array<std::string_view, 5> groups = {"ipopt", "moment", "problem", "formulation", "solver"};
-
-[[noreturn]] void refuse(std::string_view key, std::string_view value, std::string_view expected) {
-  throw InputError(fmt::format("{} = '{}'; expected {}", key, value, expected));
-}
-
-double number(std::string_view key, std::string_view value) {
-  const auto result = parse<double>(value);
-  if (!result) refuse(key, value, "a number");
-  return *result;
-}
-
-int whole(std::string_view key, std::string_view value, int least) {
-  const auto result = parse<int>(value);
-  if (!result || *result < least) refuse(key, value, fmt::format("a whole number >= {}", least));
-  return *result;
-}
-
-std::vector<std::string_view> split(std::string_view text, char at) {
-  std::vector<std::string_view> parts;
-  for (std::size_t cut; (cut = text.find(at)) != std::string_view::npos; text.remove_prefix(cut + 1))
-    parts.push_back(text.substr(0, cut));
-  parts.push_back(text);
-  return parts;
-}
-
-Vec3 vector(std::string_view key, std::string_view value) {
-  const auto v = parse_vector(value);
-  if (!v) refuse(key, value, "three numbers x,y,z");
-  return *v;
-}
 
 GridSpec grid(std::string_view key, std::string_view value) {
   GridSpec spec;
@@ -74,8 +46,6 @@ GridSpec grid_of_level(std::string_view key, std::string_view value) {
   spec.resolution = 1 << level;
   return spec;
 }
-
-std::string text_of(const Vec3& v) { return fmt::format("{},{},{}", v[0], v[1], v[2]); }
 
 std::string text_of(const GridSpec& spec) {
   return spec.cells ? fmt::format("{}", fmt::join(*spec.cells, "x")) : std::to_string(spec.resolution);
@@ -173,13 +143,6 @@ const std::map<std::string_view, Setter>& setters() {
   return all;
 }
 
-std::uint64_t hash(const std::map<std::string, std::string>& fields) {
-  std::uint64_t h = 0xcbf29ce484222325ull;  // FNV-1a
-  for (const auto& [key, value] : fields)
-    for (const char c : key + "=" + value + "\n") h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-  return h;
-}
-
 }  // namespace
 
 void set_field(RunConfig& config, std::string_view key, std::string_view value) {
@@ -265,8 +228,7 @@ std::string run_name(const RunConfig& config) {
   const auto fields = describe(config);
   const std::string way = config.map ? "map" : config.formulation + "-" + solver_of(config);
   return fmt::format("{}-{}-{}-{}-{:08x}", std::filesystem::path(config.body.model).stem().string(),
-                     fields.at("resolution"), config.problem, way,
-                     static_cast<std::uint32_t>(hash(fields) ^ hash(fields) >> 32));
+                     fields.at("resolution"), config.problem, way, hash(fields));
 }
 
 }  // namespace kreisel

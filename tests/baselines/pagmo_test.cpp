@@ -39,7 +39,7 @@ TEST(Baselines, RefuseTooFewParticlesAndUnknownNames) {
   Target nothing({}, {});
   expect_refusal([&] { (void)search_with_pagmo(nothing, Baseline::pso, 9, 10, 1, {}); },
                  "pagmo-pso with nothing free", {});
-  expect_refusal([] { (void)parse_baseline("pagmo-cma"); },
+  expect_refusal([] { (void)find_baseline("pagmo-cma"); },
                  "variant 'pagmo-cma' is unknown (did you mean 'pagmo-cmaes'?)", {});
 }
 

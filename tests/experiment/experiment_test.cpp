@@ -295,7 +295,7 @@ TEST(RayrepTable1, RunsThePapersFiveBodiesUnderTwoLabels) {
   const auto experiment = read_experiment(data_folder() / "experiments" / "rayrep_table1.toml");
   const auto printed = read_published(published_file("rayrep_table1"));
   std::map<std::string, int> count;
-  for (const auto& [config, label, mesh] : experiment.runs) {
+  for (const auto& [config, nest, label, mesh] : experiment.runs) {
     ++count[label];
     EXPECT_NE(printed.find(config.body.model, config.grid.cells, config.problem), nullptr)
         << config.body.model;
@@ -308,7 +308,7 @@ TEST(RayrepTable1, RunsThePapersFiveBodiesUnderTwoLabels) {
 TEST(SolverSettings, VaryOneFactorAtATimeAroundTheDefaults) {
   const auto experiment = read_experiment(data_folder() / "experiments" / "solver_settings.toml");
   std::map<std::string, int> defaults;
-  for (const auto& [config, label, mesh] : experiment.runs) {
+  for (const auto& [config, nest, label, mesh] : experiment.runs) {
     auto settings = config.settings;
     settings.erase("ipopt.max_iter");
     settings.erase("ipopt.max_cpu_time");
@@ -326,7 +326,7 @@ TEST(SolverSettings, VaryOneFactorAtATimeAroundTheDefaults) {
 TEST(RayrepTable2, SolvesThePapersSevenGridsThreeWaysUnderTwoLabels) {
   const auto experiment = read_experiment(data_folder() / "experiments" / "rayrep_table2.toml");
   std::map<std::string, int> count;
-  for (const auto& [config, label, mesh] : experiment.runs) {
+  for (const auto& [config, nest, label, mesh] : experiment.runs) {
     ++count[label + ' ' + config.formulation];
     EXPECT_EQ(config.problem, "spin");
     EXPECT_EQ(config.repeat, config.formulation == "quadric" ? 51 : 3);

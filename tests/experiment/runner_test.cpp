@@ -51,12 +51,12 @@ class Runner : public testing::Test {
       return RunOutput{finished(config), {}, {}};
     };
     hooks.interrupted = [] { return false; };
-    hooks.provenance = [](const RunConfig&) { return Provenance{}; };
+    hooks.provenance = [](const ExperimentRun&) { return Provenance{}; };
   }
 
   RunCounts run() { return run_experiment(experiment, options, hooks); }
   fs::path record(std::size_t i) const {
-    return record_path(options.results, experiment.name, experiment.runs[i].config);
+    return record_path(options.results, experiment.name, experiment.runs[i]);
   }
   std::string logged() const {
     std::string text(4096, '\0');
@@ -281,11 +281,12 @@ TEST_F(Runner, LeavesNoRecordOfAMapThatTheUserStopped) {
 }
 
 TEST(Estimate, GrowsWithTheNumberOfCellsOfTheSameFormulation) {
-  RunConfig small, large, voxel;
-  small.grid.cells = {40, 26, 26};
-  large.grid.cells = {80, 52, 52};
-  voxel.grid.cells = {40, 26, 26};
-  voxel.formulation = "voxel";
+  ExperimentRun small_run, large_run, voxel_run;
+  small_run.config.grid.cells = {40, 26, 26};
+  large_run.config.grid.cells = {80, 52, 52};
+  voxel_run.config.grid.cells = {40, 26, 26};
+  voxel_run.config.formulation = "voxel";
+  const Effort small = effort_of(small_run), large = effort_of(large_run), voxel = effort_of(voxel_run);
   Estimate estimate;
   EXPECT_FALSE(estimate.seconds(large));
   estimate.finished(small, 2);

@@ -1,8 +1,8 @@
 // commands.hpp - what `bench` can do; main.cpp parses, each command prints. All return an exit code.
 #pragma once
 
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/shared/exit_code.hpp"
@@ -54,29 +54,13 @@ struct SimulateOptions {
 int simulate_part(const SimulateOptions& options);
 
 struct NestOptions {
-  std::string outer, inner;  ///< names or files; inner empty: the outer shape in itself
-  std::string variant = "hybrid";
-  std::optional<double> scale;  ///< to test; none: search for the largest
-  std::optional<double> upper;  ///< of the search; none: what can fit
-  double tolerance = 1e-4;
-  int resolution = 512;
-  int accuracy = 0;        ///< > 0: compare the variants over as many random placements instead
-  std::uint64_t seed = 1;  ///< of those, and of a swarm
-  std::string free;        ///< what a swarm may change (Freedom::set_free); empty: nothing, no swarm
-  std::string swarm = "hybrid+abort";  ///< its variant
-  int particles = 200, iterations = 500;
-  std::string up = "0,0,1";  ///< what an upright inner shape turns about
-  // As they were typed; empty: no rotation, the outer shape's centroid, normal z, through the centroid, along
-  // the normal.
-  std::string rotation, centroid, plane, through;
-  std::vector<std::string> removal;
-  std::string device, json_file;
+  std::vector<std::pair<std::string, std::string>> given;  ///< fields of a NestConfig, as they were typed
+  std::string json_file, record_file;        ///< empty: not written; json "-" is standard output
+  std::string checkpoint_file, resume_file;  ///< where a search is kept, and one to go on with
 };
-/// Whether one shape nests in another, or up to which scale; or where it nests largest.
+/// Whether one shape nests in another, or up to which scale; where it nests largest; or how far sampled
+/// scales are from exact ones.
 int nest_shapes(const NestOptions& options);
-/// How far sampled scales are from exact ones, over `options.accuracy` random placements and four
-/// resolutions.
-int nest_accuracy(const NestOptions& options);
 
 struct ReportOptions {
   std::vector<std::string> experiments;  ///< as ExperimentOptions::name; empty: all that have records

@@ -14,10 +14,19 @@
 namespace kreisel::bench {
 namespace {
 
+void require_shapes(const ExperimentRun& run) {
+  if (!run.nest) return require_known_source(run.config.body);
+  for (const std::string& shape : {run.nest->outer, run.nest->inner}) {
+    BodySpec spec;
+    spec.model = shape;
+    if (!shape.empty()) require_known_source(spec);
+  }
+}
+
 /// Before hours of work: names of models and files that are looked up in the course of it or after it.
 void require_names(const Experiment& experiment) {
   try {
-    for (const ExperimentRun& run : experiment.runs) require_known_source(run.config.body);
+    for (const ExperimentRun& run : experiment.runs) require_shapes(run);
     if (!experiment.published.empty()) (void)published_file(experiment.published);
     for (const std::string& figure : experiment.figures) (void)figure_file(figure);
   } catch (const InputError& error) {
@@ -32,7 +41,8 @@ int run_experiment(const ExperimentOptions& options) {
   require_names(experiment);
   if (!options.csv_file.empty()) require_writable(options.csv_file, "--csv");
   if (!options.device.empty())
-    for (ExperimentRun& run : experiment.runs) set_field(run.config, "device", options.device);
+    for (ExperimentRun& run : experiment.runs)
+      (run.nest ? run.nest->device : run.config.device) = options.device;
 
   RunnerOptions runner;
   runner.results = options.results;

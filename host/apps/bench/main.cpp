@@ -4,7 +4,9 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/bench/commands.hpp"
+#include "apps/bench/nest_options.hpp"
 #include "apps/bench/simulate_options.hpp"
+#include "apps/shared/outputs.hpp"
 #include "apps/shared/program.hpp"
 #include "apps/shared/run_options.hpp"
 #include "error.hpp"
@@ -67,37 +69,13 @@ void add_map_options(CLI::App& app, Parsed& parsed) {
 }
 
 void add_nest_options(CLI::App& app, NestOptions& nest) {
-  app.add_option("--outer", nest.outer, "the shape outside: a name of `bench list`, or a mesh file")
-      ->required();
-  app.add_option("--inner", nest.inner, "the shape inside; default the outer one");
-  app.add_option("--scale", nest.scale,
-                 "test this scale of the inner shape; default: search for the largest");
-  app.add_option("--rotation", nest.rotation, "of the inner shape: axis times degrees, x,y,z; default none");
-  app.add_option("--centroid", nest.centroid,
-                 "where the inner shape's centroid goes, outer coordinates; default the outer's");
-  app.add_option("--plane", nest.plane, "normal of the cut, x,y,z; default 0,0,1");
-  app.add_option("--through", nest.through, "a point of the cut, outer coordinates; default --centroid");
-  app.add_option("--removal", nest.removal,
-                 "directions in which the halves above and below leave; default along the normal")
-      ->expected(2)
-      ->type_name("PLUS MINUS");
-  app.add_option("--variant", nest.variant, "peel, envelope, exact or hybrid")->capture_default_str();
-  app.add_option("--resolution", nest.resolution, "pixels along a side of a view of peel and envelope")
-      ->capture_default_str();
-  app.add_option("--upper", nest.upper, "largest scale to look at; default what can fit");
-  app.add_option("--tolerance", nest.tolerance, "of the scale that is searched")->capture_default_str();
-  app.add_option("--accuracy", nest.accuracy, "compare the variants over this many random placements instead")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--seed", nest.seed, "of the random placements, and of a swarm")->capture_default_str();
-  app.add_option("--free", nest.free,
-                 "look for the largest nesting over: rotation or upright, position, plane or centroid-plane, "
-                 "removal; a list with commas, or all");
-  app.add_option("--swarm", nest.swarm, "basic, hybrid or hybrid+abort")->capture_default_str();
-  app.add_option("--particles", nest.particles, "of the swarm")->capture_default_str();
-  app.add_option("--iterations", nest.iterations, "of the swarm")->capture_default_str();
-  app.add_option("--up", nest.up, "what an upright inner shape turns about")->capture_default_str();
-  app.add_option("--device", nest.device, "as above");
+  add_nest_fields(app, nest.given);
   app.add_option("--json", nest.json_file, "write the answer as JSON; - for standard output");
+  app.add_option("--record", nest.record_file, "write the whole run as HDF5");
+  app.add_option("--checkpoint", nest.checkpoint_file,
+                 "keep the search there, every half a minute and when it is stopped");
+  app.add_option("--resume", nest.resume_file,
+                 "go on with a checkpoint, by the options that it was begun with; it is kept there again");
 }
 
 int dispatch(int argc, char** argv) {
@@ -168,7 +146,7 @@ int dispatch(int argc, char** argv) {
     parsed.simulate.config = parsed.once.config;
     return simulate_part(parsed.simulate);
   }
-  if (*nested) return parsed.nest.accuracy ? nest_accuracy(parsed.nest) : nest_shapes(parsed.nest);
+  if (*nested) return nest_shapes(parsed.nest);
   if (*reported) return report(parsed.report);
   if (*shown) return show(parsed.paths);
   if (*listed) return list();

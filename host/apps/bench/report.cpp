@@ -91,10 +91,10 @@ json section_of(const Experiment& experiment, const fs::path& results, const fs:
   json records = json::array();
   std::size_t missing = 0;
   for (const RecordedRun& run : runs) {
-    if (!run.record && !run.map)
+    const std::string path = run.path().string();
+    if (path.empty())
       ++missing;
-    else if (const std::string path = (run.map ? run.map->path : run.record->path).string();
-             std::ranges::find(records, json(path)) == records.end())
+    else if (std::ranges::find(records, json(path)) == records.end())
       records.push_back(path);
   }
   if (records.empty()) return nullptr;

@@ -6,6 +6,7 @@
 #include "apps/bench/commands.hpp"
 #include "error.hpp"
 #include "record/map_record.hpp"
+#include "record/nest_record.hpp"
 #include "record/record.hpp"
 
 namespace kreisel::bench {
@@ -62,6 +63,29 @@ void print(const MapSummary& map) {
   fmt::print("  made       {} by {} on {}\n", map.started, map.commit, map.device);
 }
 
+void print(const NestSummary& nest) {
+  fmt::print("{}\n", nest.path.string());
+  if (!nest.error.empty()) {
+    fmt::print("  failed     {}\n", nest.error);
+    return;
+  }
+  fmt::print("  {}: {}, {} + {} triangles\n", nest.shapes, nest.kind, nest.outer_triangles,
+             nest.inner_triangles);
+  fmt::print("  answer     {} ({})\n", nest.text, nest.termination);
+  if (nest.valid) fmt::print("  scale      {:.6g}\n", nest.scale);
+  if (nest.certified_scale) fmt::print("  certified  {:.6g}\n", *nest.certified_scale);
+  if (nest.sampled_scale) fmt::print("  sampled    {:.6g}\n", *nest.sampled_scale);
+  fmt::print("  time       {:.3f} s test or search ({} evaluations), {:.3f} s set-up\n", nest.search_seconds,
+             nest.evaluations, nest.setup_seconds);
+  for (const NestTiming& t : nest.timings)
+    fmt::print("  {:<10} {:.4g} ms a test, {:.4g} ms a search, which finds {:.6g}\n", t.variant, t.test_ms,
+               t.search_ms, t.scale);
+  fmt::print("  made       {} by {} on {}\n", nest.started, nest.commit, nest.device);
+  fmt::print("  config    ");
+  for (const auto& [key, value] : nest.config) fmt::print(" {}={}", key, value);
+  fmt::print("\n");
+}
+
 }  // namespace
 
 int show(const std::vector<std::string>& paths) {
@@ -69,6 +93,8 @@ int show(const std::vector<std::string>& paths) {
     for (const std::filesystem::path& record : records_in(path))
       if (is_map(record))
         print(read_map(record));
+      else if (is_nest(record))
+        print(read_nest(record));
       else
         print(read_record(record));
   return done;

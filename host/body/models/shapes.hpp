@@ -58,6 +58,12 @@ namespace kreisel {
 /// @throws InputError  fineness out of range
 [[nodiscard]] TriangleMesh kitten_shape(int fineness);
 
+/// Skull of 46.4 x 58.8 x 60 mm without a jaw of its own: shallow sockets, nearly convex, flat below; faces
+/// -y, symmetric in x.
+/// @param fineness  1 to 300; below 30 as 30
+/// @throws InputError  fineness out of range
+[[nodiscard]] TriangleMesh skull_shape(int fineness);
+
 /// The point from which every ray meets the bird's surface once, mm.
 [[nodiscard]] Vec3 bird_centre();
 

@@ -1,0 +1,57 @@
+// main.cpp - `nest_baseline`: a nesting found by a search of pagmo2, on record as `bench nest` would put it.
+//
+// A program of its own, called by `bench run`: with pagmo's libraries `bench` would take more memory to
+// start.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+
+#include "apps/bench/nest_options.hpp"
+#include "baselines/pagmo.hpp"
+#include "error.hpp"
+#include "record/nest_record.hpp"
+#include "solve/interrupt.hpp"
+
+namespace {
+
+using namespace kreisel;
+
+int run(int argc, char** argv) {
+  CLI::App app("The largest nesting by a search of pagmo2", "nest_baseline");
+  std::vector<std::pair<std::string, std::string>> given;
+  std::string record;
+  bench::add_nest_fields(app, given);
+  app.add_option("--record", record, "write the whole run as HDF5")->required();
+  CLI11_PARSE(app, argc, argv);
+  NestConfig config;
+  for (const auto& [field, text] : given) set_field(config, field, text);
+  if (config.free.empty() || !nest::is_baseline(config.swarm))
+    throw InputError(fmt::format("swarm = '{}', free = '{}'; expected a search of pagmo's over something",
+                                 config.swarm, config.free));
+  NestHooks hooks;
+  hooks.optimise = [](const nest::Nesting& nesting, device::Device& device, const nest::OptimiseSpec& spec,
+                      const nest::OnIteration& on_iteration, const nest::SearchState*) {
+    return nest::optimise_with_pagmo(nesting, device, spec, on_iteration);
+  };
+  const NestResult result = run_nest(config, hooks);
+  if (result.ending == NestResult::Ending::interrupted) return 130;
+  write_nest(record, result);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kreisel::catch_interrupts();
+  int code = 1;
+  try {
+    code = run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "nest_baseline: {}\n", error.what());
+    code = dynamic_cast<const kreisel::InputError*>(&error) ? 2 : 1;
+  }
+  std::fflush(stdout);
+  std::_Exit(code);  // as bench does, without the goodbyes of libraries
+}

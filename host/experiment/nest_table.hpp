@@ -1,0 +1,25 @@
+// nest_table.hpp - tables of nestings.
+#pragma once
+
+#include "experiment/table.hpp"
+
+namespace kreisel {
+
+/// A row a nesting, beside a paper's row of the same label, as far as a comma.
+[[nodiscard]] Tables nestings_tables(const std::vector<RecordedRun>& runs,
+                                     const std::optional<Published>& published);
+
+/// A block for each pair of shapes, a row for each setting of the search, over all its seeds; how many of
+/// them reach what a paper has of that outer shape.
+[[nodiscard]] Tables nest_variants_tables(const std::vector<RecordedRun>& runs,
+                                          const std::optional<Published>& published);
+
+/// A block for each pair of shapes, a row for each resolution of the samples.
+[[nodiscard]] Tables nest_accuracy_tables(const std::vector<RecordedRun>& runs,
+                                          const std::optional<Published>& published);
+
+/// What of a configuration differs among the runs, seeds aside: "swarm = basic, topology = ring" of each;
+/// "defaults" where it has nothing of that.
+[[nodiscard]] std::vector<std::string> settings_of_search(const std::vector<RecordedRun>& runs);
+
+}  // namespace kreisel

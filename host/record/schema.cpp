@@ -1,0 +1,21 @@
+#include "record/schema.hpp"
+
+#include <fmt/format.h>
+
+#include "error.hpp"
+
+namespace kreisel {
+
+std::string schema_of(const hdf5::File& file) { return file.has("schema") ? file.text("schema") : ""; }
+
+void require_schema(const hdf5::File& file, const std::string& name, std::string_view what,
+                    std::string_view schema, int newest) {
+  if (schema_of(file) != schema || !file.has("schema_version"))
+    throw InputError(fmt::format("{}: not {}, expected the attribute schema = {}", name, what, schema));
+  const std::int64_t version = file.integer("schema_version");
+  if (version < 1 || version > newest)
+    throw InputError(fmt::format("{}: schema version {}, expected 1 to {}; a newer program wrote it", name,
+                                 version, newest));
+}
+
+}  // namespace kreisel

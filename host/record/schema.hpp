@@ -1,0 +1,19 @@
+// schema.hpp - what a file says it is.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "record/hdf5_file.hpp"
+
+namespace kreisel {
+
+/// The attribute `schema`; empty where there is none.
+[[nodiscard]] std::string schema_of(const hdf5::File& file);
+
+/// @param what    such as "a map", for the message
+/// @throws InputError  another schema, or a version above `newest`
+void require_schema(const hdf5::File& file, const std::string& name, std::string_view what,
+                    std::string_view schema, int newest);
+
+}  // namespace kreisel

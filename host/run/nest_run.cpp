@@ -1,0 +1,293 @@
+#include "run/nest_run.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+
+#include "body/source.hpp"
+#include "error.hpp"
+#include "nest/exact.hpp"
+#include "nest/scale_search.hpp"
+#include "solve/interrupt.hpp"
+#include "stopwatch.hpp"
+
+namespace kreisel {
+namespace {
+
+using Ending = NestResult::Ending;
+
+constexpr double seconds_between_checkpoints = 30;
+
+/// Any mesh will do: it is neither checked nor mended.
+TriangleMesh shape_of(const std::string& model, const std::optional<double>& size, int fineness) {
+  BodySpec spec;
+  spec.model = model;
+  if (fineness > 0) spec.fineness = fineness;
+  TriangleMesh mesh = load_source(spec).mesh;
+  if (size) {
+    const double longest = bounding_box(mesh).extent().maxCoeff();
+    if (!(longest > 0)) throw InputError(fmt::format("{} has no extent; expected a shape to scale", model));
+    for (Vec3& v : mesh.vertices) v *= *size / longest;
+  }
+  return mesh;
+}
+
+nest::Nesting nesting_of(const NestConfig& config) {
+  TriangleMesh outer = shape_of(config.outer, config.outer_size, config.fineness);
+  const bool same = (config.inner.empty() || config.inner == config.outer) && !config.inner_size;
+  TriangleMesh inner =
+      same ? outer
+           : shape_of(config.inner.empty() ? config.outer : config.inner, config.inner_size, config.fineness);
+  return {std::move(outer), std::move(inner)};
+}
+
+Eigen::Matrix3d rotation_of(const Vec3& axis_times_degrees) {
+  const double degrees = axis_times_degrees.norm();
+  if (!(degrees > 0)) return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis_times_degrees / degrees).toRotationMatrix();
+}
+
+nest::Placement placement_of(const NestConfig& config, const nest::Nesting& nesting) {
+  nest::Placement placement;
+  placement.pose.rotation = rotation_of(config.rotation);
+  placement.pose.scale = config.scale.value_or(1);
+  placement.pose.centroid = nesting.to_units(config.centroid.value_or(nesting.outer_centroid()));
+  const Vec3 through = config.through ? nesting.to_units(*config.through) : placement.pose.centroid;
+  placement.cut = nest::Cut::through(through, config.plane);
+  if (config.removal) {
+    placement.cut.plus = config.removal->first.normalized();
+    placement.cut.minus = config.removal->second.normalized();
+  }
+  nest::require_valid(placement);
+  return placement;
+}
+
+nest::OptimiseSpec spec_of(const NestConfig& config, const nest::Nesting& nesting,
+                           const nest::Placement& given) {
+  nest::OptimiseSpec spec;
+  spec.freedom.set_free(config.free);
+  spec.freedom.given = given;
+  spec.freedom.up = config.up.normalized();
+  for (const nest::KeepOut& ball : config.keep_outs)
+    spec.keep_outs.push_back({nesting.to_units(ball.centre), ball.radius / nesting.unit()});
+  spec.variant = config.swarm;
+  spec.test = config.variant;
+  spec.resolution = config.resolution;
+  spec.tolerance = config.tolerance;
+  spec.upper = config.upper;
+  spec.search = config.search;
+  spec.seconds = config.seconds;
+  return spec;
+}
+
+/// A run in the making.
+class Run {
+ public:
+  Run(const NestConfig& config, const NestHooks& hooks) : config_(config), hooks_(hooks) {}
+
+  NestResult operator()() {
+    require_valid(config_);
+    result_.config = config_;
+    step("reading");
+    const Stopwatch setup;
+    device::Device device(config_.device);
+    result_.provenance = make_provenance(device);
+    const nest::Nesting nesting = nesting_of(config_);
+    result_.outer_triangles = nesting.outer().triangles.size();
+    result_.inner_triangles = nesting.inner().triangles.size();
+    if (config_.accuracy > 0) {
+      compare(nesting, device, setup);
+      return std::move(result_);
+    }
+    nest::Placement placement = placement_of(config_, nesting);
+    const std::string_view kind = kind_of(config_);
+    if (kind == "swarm")
+      search_placements(nesting, device, placement, setup);
+    else if (kind == "test")
+      test(nesting, device, placement, setup);
+    else
+      search_scale(nesting, device, placement, setup);
+    describe(nesting, placement);
+    if (result_.valid) certify(nesting, device, placement);
+    if (result_.valid && result_.ending == Ending::whole) time(nesting, device, placement);
+    return std::move(result_);
+  }
+
+ private:
+  void step(const std::string& what) const {
+    if (hooks_.progress) hooks_.progress(what);
+  }
+
+  void compare(const nest::Nesting& nesting, device::Device& device, const Stopwatch& setup) {
+    step("comparing");
+    result_.setup_seconds = setup.seconds();
+    const Stopwatch search;
+    result_.accuracy = nest::compare(device, nesting, config_.accuracy, {64, 128, 256, 512},
+                                     config_.search.swarm.seed, interrupted);
+    result_.search_seconds = search.seconds();
+    if (hooks_.interrupted()) result_.ending = Ending::interrupted;
+    result_.evaluations = static_cast<std::uint64_t>(result_.accuracy->placements);
+    result_.text =
+        fmt::format("{} of {} placements nest", result_.accuracy->nested, result_.accuracy->placements);
+  }
+
+  void test(const nest::Nesting& nesting, device::Device& device, const nest::Placement& placement,
+            const Stopwatch& setup) {
+    const auto test = nest::make_feasibility(config_.variant, device, nesting, config_.resolution);
+    result_.setup_seconds = setup.seconds();
+    step("testing");
+    const Stopwatch search;
+    const nest::Verdict verdict = test->check(placement);
+    result_.search_seconds = search.seconds();
+    result_.placed = true;
+    result_.valid = verdict.valid();
+    result_.text = nest::to_string(verdict, nesting);
+  }
+
+  void search_scale(const nest::Nesting& nesting, device::Device& device, nest::Placement& placement,
+                    const Stopwatch& setup) {
+    const auto search = nest::make_search(config_.variant, device, nesting, config_.resolution);
+    result_.setup_seconds = setup.seconds();
+    step("searching the scale");
+    const nest::SearchLimits limits = limits_of(nesting);
+    const Stopwatch searching;
+    const nest::FoundScale found = search->search(placement, limits);
+    result_.search_seconds = searching.seconds();
+    result_.evaluations = static_cast<std::uint64_t>(found.tests);
+    result_.placed = result_.valid = found.scale > 0;
+    if (result_.valid) placement.pose.scale = found.scale;
+    result_.text = result_.valid ? "valid" : fmt::format("invalid at every scale up to {:.6g}", limits.upper);
+  }
+
+  void search_placements(const nest::Nesting& nesting, device::Device& device, nest::Placement& placement,
+                         const Stopwatch& setup) {
+    const nest::OptimiseSpec spec = spec_of(config_, nesting, placement);
+    if (hooks_.resume) result_.trace_seconds = hooks_.resume->seconds;
+    const double before = result_.trace_seconds.empty() ? 0 : result_.trace_seconds.back();
+    result_.setup_seconds = setup.seconds();
+    bool stopped = false;
+    const Stopwatch search;
+    double kept = 0;
+    const nest::OptimiseResult found = hooks_.optimise(
+        nesting, device, spec,
+        [&](const nest::SearchState& state) {
+          // One that is resumed begins with what it has.
+          if (result_.trace_seconds.size() < state.trace.size())
+            result_.trace_seconds.push_back(before + search.seconds());
+          step(progress_of(state));
+          if (hooks_.keep && search.seconds() > kept + seconds_between_checkpoints) {
+            kept = search.seconds();
+            hooks_.keep({config_, state, result_.trace_seconds});
+          }
+          return !(stopped = hooks_.interrupted());
+        },
+        hooks_.resume ? &hooks_.resume->state : nullptr);
+    if (hooks_.keep) hooks_.keep({config_, found.state, result_.trace_seconds});
+    if (found.ended_early) result_.ending = stopped ? Ending::interrupted : Ending::out_of_time;
+    result_.setup_seconds += found.setup_seconds;
+    result_.search_seconds = before + found.search_seconds;
+    result_.evaluations = found.state.evaluations();
+    result_.trace = found.state.trace;
+    result_.placed = result_.valid = found.best.has_value();
+    if (result_.valid) placement = *found.best;
+    result_.text = result_.valid ? "valid" : "nothing that nests was found";
+  }
+
+  /// With the time left, by the swarm's iterations; how many a climb takes is not known.
+  [[nodiscard]] std::string progress_of(const nest::SearchState& state) const {
+    const auto done = static_cast<double>(state.trace.size());
+    const int all = config_.search.swarm.iterations;
+    if (state.phase == nest::SearchState::climbing || done > all)
+      return fmt::format("refining, scale {:.4f}", state.scale);
+    const double so_far = result_.trace_seconds.empty() ? 0 : result_.trace_seconds.back();
+    return fmt::format("iteration {} of {}, scale {:.4f}, about {:.0f} s left", state.trace.size(), all,
+                       state.scale, so_far * (all / done - 1));
+  }
+
+  [[nodiscard]] nest::SearchLimits limits_of(const nest::Nesting& nesting) const {
+    nest::SearchLimits limits;
+    limits.upper = config_.upper.value_or(nesting.largest_scale());
+    limits.tolerance = config_.tolerance;
+    return limits;
+  }
+
+  void describe(const nest::Nesting& nesting, const nest::Placement& placement) {
+    const nest::Cut& cut = placement.cut;
+    result_.scale = placement.pose.scale;
+    result_.transform = nesting.transform(placement.pose);
+    result_.plane_point = nesting.to_file(cut.offset * cut.normal);
+    result_.plane_normal = cut.normal;
+    result_.plus = cut.plus;
+    result_.minus = cut.minus;
+  }
+
+  void certify(const nest::Nesting& nesting, device::Device& device, const nest::Placement& placement) {
+    step("certifying");
+    const Stopwatch certify;
+    nest::Exact exact(nesting);
+    if (config_.scale) {
+      nest::CertifiedScale certified;
+      certified.verdict = exact.check(placement);
+      certified.confirmed = certified.verdict.valid();
+      certified.scale = certified.confirmed ? placement.pose.scale : 0;
+      certified.tests = 1;
+      result_.certified = certified;
+    } else {
+      result_.certified = nest::certify_scale(exact, placement, config_.tolerance);
+    }
+    result_.certify_seconds = certify.seconds();
+    if (config_.free.empty()) return;
+    const auto sampled = nest::make_feasibility("envelope", device, nesting, config_.resolution);
+    result_.sampled_scale = nest::certify_scale(*sampled, placement, config_.tolerance).scale;
+  }
+
+  void time(const nest::Nesting& nesting, device::Device& device, const nest::Placement& placement) {
+    for (const char* variant : {"peel", "envelope", "exact", "hybrid"}) {
+      if (config_.timings == 0 || hooks_.interrupted()) return;
+      step(fmt::format("timing {}", variant));
+      const auto test = nest::make_feasibility(variant, device, nesting, config_.resolution);
+      const auto search = nest::make_search(variant, device, nesting, config_.resolution);
+      nest::Placement smaller = placement;
+      smaller.pose.scale *= 0.98;
+      NestTiming timing{variant, 0, 0, 0};
+      timing.test_ms = median_ms([&] { (void)test->check(smaller); });
+      timing.search_ms =
+          median_ms([&] { timing.scale = search->search(placement, limits_of(nesting)).scale; });
+      result_.timings.push_back(timing);
+    }
+  }
+
+  /// After one more, which warms up.
+  template <class Work>
+  [[nodiscard]] double median_ms(const Work& work) const {
+    std::vector<double> ms;
+    for (int i = 0; i <= config_.timings; ++i) {
+      const Stopwatch watch;
+      work();
+      if (i > 0) ms.push_back(1e3 * watch.seconds());
+    }
+    std::ranges::nth_element(ms, ms.begin() + config_.timings / 2);
+    return ms[static_cast<std::size_t>(config_.timings) / 2];
+  }
+
+  const NestConfig& config_;
+  const NestHooks& hooks_;
+  NestResult result_;
+};
+
+}  // namespace
+
+NestHooks::NestHooks() : interrupted(kreisel::interrupted) {}
+
+std::string_view termination_of(const NestResult& result) {
+  if (result.ending == Ending::interrupted) return "interrupted";
+  if (result.accuracy) return "complete";
+  if (!result.valid) return "infeasible";
+  return result.ending == Ending::out_of_time ? "out of time" : "valid";
+}
+
+NestResult run_nest(const NestConfig& config, const NestHooks& hooks) { return Run(config, hooks)(); }
+
+}  // namespace kreisel

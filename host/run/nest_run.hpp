@@ -1,0 +1,74 @@
+// nest_run.hpp - one nesting run, from configuration to certified result.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nest/accuracy.hpp"
+#include "nest/optimise.hpp"
+#include "run/nest_config.hpp"
+#include "run/pipeline.hpp"
+#include "run/provenance.hpp"
+
+namespace kreisel {
+
+/// A search on its way, with what it was asked; one that goes on from here ends as if it had never stopped.
+struct NestCheckpoint {
+  NestConfig config;
+  nest::SearchState state;
+  std::vector<double> seconds;  ///< of the search, at the end of each iteration of state.trace
+};
+
+/// A variant at one placement: medians of wall time.
+struct NestTiming {
+  std::string variant;
+  double test_ms = 0;    ///< of a test at 0.98 of the scale
+  double search_ms = 0;  ///< of a search for the largest scale
+  double scale = 0;      ///< that it found; 0: none
+};
+
+struct NestResult {
+  NestConfig config;
+  Provenance provenance;
+  std::size_t outer_triangles = 0, inner_triangles = 0;
+  bool placed = false;  ///< there is a placement to speak of: that which was tested, or what was found
+  bool valid = false;
+  std::string text;  ///< the answer in words, with the first fault
+  double scale = 0;
+  /// In the outer shape's coordinates; the transform maps the inner's into them.
+  Eigen::Matrix<double, 3, 4> transform = Eigen::Matrix<double, 3, 4>::Zero();
+  Vec3 plane_point = Vec3::Zero(), plane_normal = Vec3::UnitZ(), plus = Vec3::UnitZ(), minus = -Vec3::UnitZ();
+  std::uint64_t evaluations = 1;                  ///< tests of a bisection, rounds, or placements of a swarm
+  std::optional<nest::CertifiedScale> certified;  ///< of what is valid, by the exact test
+  std::optional<double>
+      sampled_scale;  ///< of a swarm's best: the largest by views of `resolution`, the paper's yardstick
+  std::vector<nest::SwarmStep> trace;  ///< of a swarm, an iteration each
+  std::vector<double> trace_seconds;
+  enum class Ending { whole, interrupted, out_of_time } ending = Ending::whole;
+  double setup_seconds = 0, search_seconds = 0, certify_seconds = 0;
+  std::vector<NestTiming> timings;
+  std::optional<nest::Accuracy> accuracy;
+};
+
+/// "valid", "infeasible", "interrupted", "out of time"; of a comparison "complete".
+[[nodiscard]] std::string_view termination_of(const NestResult& result);
+
+/// What a run tells and asks on its way.
+struct NestHooks {
+  Progress progress = {};
+  std::function<bool()> interrupted;                     ///< default: Ctrl-C
+  std::function<void(const NestCheckpoint&)> keep = {};  ///< every half a minute, and at the end of a search
+  const NestCheckpoint* resume = nullptr;
+  std::function<nest::OptimiseResult(const nest::Nesting&, device::Device&, const nest::OptimiseSpec&,
+                                     const nest::OnIteration&, const nest::SearchState*)>
+      optimise = nest::optimise;
+  NestHooks();
+};
+
+/// @throws InputError  shapes, options or a checkpoint that do not fit; a swarm that is a baseline's, unless
+///                     hooks.optimise knows it
+[[nodiscard]] NestResult run_nest(const NestConfig& config, const NestHooks& hooks = {});
+
+}  // namespace kreisel

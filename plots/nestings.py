@@ -1,0 +1,67 @@
+"""Reads records of nestings (schema: results/README.md) into plain dicts, read-only."""
+
+import pathlib
+
+import h5py
+
+import records
+
+SCHEMA, NEWEST = "kreisel nesting", 1
+# Columns of `trace` and of `accuracy/errors`.
+ITERATION, EVALUATIONS, BEST, MEAN, FEASIBLE, SECONDS = range(6)
+RESOLUTION, OPTIMISTIC, PESSIMISTIC, MISSED, MEDIAN, PERCENTILE_95, LARGEST = range(7)
+
+
+def read(path):
+    """A nesting as a dict: root attributes and `trace` at the top, each group a dict of its attributes and datasets."""
+    path = pathlib.Path(path)
+    try:
+        with h5py.File(path, "r") as file:
+            if file.attrs.get("schema") != SCHEMA or not 1 <= file.attrs.get("schema_version", 0) <= NEWEST:
+                raise records.BadRecord(f"{path}: not a nesting, expected schema = {SCHEMA}, version 1 to {NEWEST}")
+            found = {"path": path, **records._attributes(file)}
+            for name, node in file.items():
+                if isinstance(node, h5py.Dataset):
+                    found[name] = node[...]
+                else:
+                    found[name] = {**records._attributes(node), **records._tables(node, ())}
+            return found
+    except OSError:
+        reason = "not readable as HDF5" if path.exists() else "no such file"
+        raise records.BadRecord(f"{path}: {reason}, expected what bench nest --record wrote") from None
+
+
+def read_folder(folder):
+    """Every nesting in a folder and the folders in it, by name."""
+    folder = pathlib.Path(folder)
+    if not folder.is_dir():
+        raise records.BadRecord(f"{folder}: no such folder, expected one with records")
+    found = [read(path) for path in sorted(folder.rglob("*.h5")) if records.is_nesting(path)]
+    if not found:
+        raise records.BadRecord(f"{folder}: no nestings (*.h5) in it")
+    return found
+
+
+NOT_SETTINGS = ("outer", "inner", "seed")
+
+
+def settings(found):
+    """What of the configuration of each differs among them, seeds and shapes aside: "swarms = 4"."""
+    names = {name for run in found for name in run["config"] if name not in NOT_SETTINGS}
+    varied = sorted(n for n in names if len({run["config"].get(n) for run in found}) > 1)
+    return [records.setting_text({n: run["config"][n] for n in varied if n in run["config"]}) for run in found]
+
+
+def searched(found):
+    """Those that are searches over placements and found one."""
+    runs = [run for run in records.with_results(found) if "trace" in run]
+    if not runs:
+        raise records.BadRecord("no search over placements among the records")
+    return runs
+
+
+def by_shapes(found):
+    groups = {}
+    for run in found:
+        groups.setdefault(run["shapes"], []).append(run)
+    return groups

@@ -1,0 +1,118 @@
+// bad_input_test.cpp - sizes, budgets and coincidences at their ends.
+#include <gtest/gtest.h>
+
+#include "known_answers.hpp"
+#include "nest/optimise.hpp"
+#include "refusal.hpp"
+#include "test_device.hpp"
+
+namespace kreisel::nest {
+namespace {
+
+constexpr std::array variants_of_tests = {"peel", "envelope", "exact", "hybrid"};
+
+Placement centred(const Nesting& nesting, double scale, const Vec3& normal = Vec3::UnitZ()) {
+  Placement placement{{}, Cut::through(nesting.to_units(Vec3::Zero()), normal)};
+  placement.pose.scale = scale;
+  placement.pose.centroid = nesting.to_units(nesting.inner_centroid());
+  return placement;
+}
+
+/// Of a box the faces along the removal direction are edge-on, and at scale 1 all faces coincide.
+TEST(BadInput, FacesEdgeOnAreNoObstacleAndCoincidentOnesAreTouched) {
+  const TriangleMesh box = box_mesh(Vec3::Constant(-1), Vec3::Constant(1));
+  const Nesting nesting(box, box);
+  for (const char* name : variants_of_tests) {
+    const auto test = make_feasibility(name, test_device(), nesting);
+    for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(0, -1, 0)}) {
+      EXPECT_TRUE(test->check(centred(nesting, 0.99, normal)).valid()) << name;
+      EXPECT_FALSE(test->check(centred(nesting, 1, normal)).valid()) << name;
+    }
+    const double found = make_search(name, test_device(), nesting)->search(centred(nesting, 1), {}).scale;
+    EXPECT_LT(found, 1) << name;
+    EXPECT_GT(found, 0.998) << name << ": a pixel is 1/256 of the box, and a face in between counts as one";
+  }
+}
+
+TEST(BadInput, AShapeThatIsLargerNestsAtTheScaleAtWhichItFits) {
+  const Nesting nesting(ball(8), ball(8, Vec3::Constant(5)));
+  EXPECT_NEAR(nesting.largest_scale(), 0.2, 1e-12);
+  const auto search = make_search("hybrid", test_device(), nesting);
+  SearchLimits limits;
+  limits.upper = nesting.largest_scale();
+  EXPECT_NEAR(search->search(centred(nesting, 1), limits).scale, 0.2, 0.002) << "sagitta of frequency 8: 1 %";
+  for (const char* name : variants_of_tests)
+    EXPECT_FALSE(make_feasibility(name, test_device(), nesting)->check(centred(nesting, 1)).valid()) << name;
+}
+
+TEST(BadInput, PlanesThatMissAreInvalidForAllOfThem) {
+  const Nesting nesting(ball(8), ball(8));
+  const auto whole = [&](double offset) {
+    Placement placement = centred(nesting, 0.2);
+    placement.cut.offset = offset;
+    return placement;
+  };
+  for (const char* name : variants_of_tests) {
+    const auto test = make_feasibility(name, test_device(), nesting);
+    EXPECT_FALSE(test->check(whole(1.5)).valid()) << name;
+    EXPECT_FALSE(test->check(whole(-1.5)).valid()) << name;
+    EXPECT_EQ(make_search(name, test_device(), nesting)->search(whole(1.5), {}).scale, 0) << name;
+  }
+}
+
+TEST(BadInput, TwoMillionTrianglesAreAnswered) {
+  const Nesting nesting(ball(317), ball(6));
+  ASSERT_GT(nesting.outer().triangles.size(), 2'000'000u);
+  for (const char* name : {"envelope", "hybrid", "exact"}) {
+    const auto test = make_feasibility(name, test_device(), nesting);
+    EXPECT_TRUE(test->check(centred(nesting, 0.99)).valid()) << name;
+    EXPECT_FALSE(test->check(centred(nesting, 1.02)).valid()) << name;
+  }
+}
+
+TEST(BadInput, TheLargestViewIsDrawnInTurns) {
+  const Nesting nesting(ball(6), ball(6));
+  const auto test = make_feasibility("envelope", test_device(), nesting, 16384);
+  EXPECT_TRUE(test->check(centred(nesting, 0.9)).valid());
+  EXPECT_FALSE(test->check(centred(nesting, 1.01)).valid());
+}
+
+TEST(BadInput, OneParticleAndNoIterationsAreASearchAllTheSame) {
+  const Nesting nesting(ball(6), ball(6));
+  OptimiseSpec spec;
+  spec.freedom.set_free("all");
+  spec.freedom.given = centred(nesting, 1);
+  spec.search.swarm.particles = 1;
+  spec.search.swarm.iterations = 0;
+  spec.search.climbs = 0;
+  for (const std::string_view variant : variants()) {
+    spec.variant = variant;
+    const OptimiseResult result = optimise(nesting, test_device(), spec);
+    EXPECT_EQ(result.state.evaluations(), 1u) << variant;
+    EXPECT_FALSE(result.ended_early) << variant;
+  }
+  spec.search.climb.iterations = 20;
+  spec.search.climbs = 1;
+  spec.search.swarm.iterations = 1;
+  EXPECT_TRUE(optimise(nesting, test_device(), spec).best);
+}
+
+TEST(BadInput, NothingFreeIsASearchOfTheScaleAlone) {
+  const Nesting nesting(ball(6), ball(6));
+  OptimiseSpec spec;
+  spec.freedom.set_free("none");
+  spec.freedom.given = centred(nesting, 1);
+  spec.search.swarm.particles = 2;
+  spec.search.swarm.iterations = 1;
+  const OptimiseResult result = optimise(nesting, test_device(), spec);
+  ASSERT_TRUE(result.best);
+  EXPECT_GT(result.best->pose.scale, 0.98);
+  spec.upper = 0.5;
+  EXPECT_LE(optimise(nesting, test_device(), spec).best->pose.scale, 0.5);
+  spec.upper = -1;
+  expect_refusal([&] { (void)optimise(nesting, test_device(), spec); }, "upper bound -1 of the scale",
+                 {"> 0"});
+}
+
+}  // namespace
+}  // namespace kreisel::nest

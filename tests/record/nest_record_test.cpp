@@ -1,0 +1,152 @@
+#include "record/nest_record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "mesh/write.hpp"
+#include "nest/known_answers.hpp"
+#include "record/hdf5_file.hpp"
+#include "refusal.hpp"
+#include "temporary_folder.hpp"
+
+namespace kreisel {
+namespace {
+
+/// A sphere in an ellipsoid, in files.
+class NestRecord : public testing::Test {
+ protected:
+  NestRecord() {
+    write_mesh(folder_.path / "egg.off", {nest::ball(6, {1.5, 1.2, 1})});
+    write_mesh(folder_.path / "ball.off", {nest::ball(6)});
+    config_.outer = (folder_.path / "egg.off").string();
+    config_.inner = (folder_.path / "ball.off").string();
+    hooks_.interrupted = [] { return false; };
+  }
+  void search() {
+    for (const auto& [name, value] : {std::pair{"free", "all"},
+                                      {"particles", "12"},
+                                      {"iterations", "10"},
+                                      {"climb-iterations", "15"},
+                                      {"swarms", "2"},
+                                      {"patience", "4"},
+                                      {"topology", "random"},
+                                      {"seed", "3"}})
+      set_field(config_, name, value);
+  }
+  [[nodiscard]] std::filesystem::path file() const { return folder_.path / "nest.h5"; }
+
+  const TemporaryFolder folder_;
+  NestConfig config_;
+  NestHooks hooks_;
+};
+
+TEST_F(NestRecord, HoldsWhatWasAskedAndFound) {
+  search();
+  config_.timings = 1;
+  const NestResult result = run_nest(config_, hooks_);
+  ASSERT_TRUE(result.valid) << result.text;
+  write_nest(file(), result);
+  ASSERT_TRUE(is_nest(file()));
+  const NestSummary read = read_nest(file());
+  EXPECT_EQ(read.config, describe(config_));
+  EXPECT_EQ(read.kind, "swarm");
+  EXPECT_EQ(read.shapes, "ball in egg");
+  EXPECT_EQ(read.termination, "valid");
+  EXPECT_EQ(read.scale, result.scale);
+  EXPECT_EQ(read.evaluations, result.evaluations);
+  EXPECT_EQ(read.outer_triangles, 20u * 36);
+  ASSERT_EQ(read.trace.size(), result.trace.size());
+  ASSERT_EQ(result.trace_seconds.size(), result.trace.size());
+  EXPECT_EQ(read.trace.back().best, result.scale);
+  EXPECT_EQ(read.trace.back().seconds, result.trace_seconds.back());
+  EXPECT_GE(read.certified_scale.value(), result.scale) << "what hybrid finds holds on the triangles";
+  EXPECT_GE(read.sampled_scale.value(), result.scale) << "samples are optimistic";
+  ASSERT_EQ(read.timings.size(), 4u);
+  for (const NestTiming& timing : read.timings) {
+    EXPECT_GT(timing.test_ms, 0) << timing.variant;
+    // The search alone may find a little more at the same place; samples, a pixel's worth.
+    EXPECT_NEAR(timing.scale, result.scale, 0.01) << timing.variant;
+  }
+  const nlohmann::json json = to_json(result);
+  EXPECT_EQ(json.at("scale"), result.scale);
+  EXPECT_EQ(json.at("trace").size(), result.trace.size());
+  EXPECT_EQ(json.at("timings").size(), 4u);
+}
+
+TEST_F(NestRecord, HoldsTestsScalesComparisonsAndFailures) {
+  config_.scale = 1.2;
+  write_nest(file(), run_nest(config_, hooks_));
+  NestSummary read = read_nest(file());
+  EXPECT_EQ(read.kind, "test");
+  EXPECT_EQ(read.termination, "infeasible");
+  EXPECT_EQ(read.scale, 1.2);
+  EXPECT_FALSE(read.certified_scale);
+
+  config_.scale.reset();
+  config_.variant = "envelope";
+  write_nest(file(), run_nest(config_, hooks_));
+  read = read_nest(file());
+  EXPECT_EQ(read.kind, "scale");
+  EXPECT_TRUE(read.valid);
+  EXPECT_NEAR(read.certified_scale.value(), read.scale, 0.01) << "repaired where samples missed a contact";
+
+  config_.accuracy = 3;
+  write_nest(file(), run_nest(config_, hooks_));
+  read = read_nest(file());
+  EXPECT_EQ(read.kind, "accuracy");
+  EXPECT_EQ(read.accuracy.value().placements, 3);
+  ASSERT_EQ(read.accuracy->errors.size(), 4u);
+  EXPECT_EQ(read.accuracy->errors.back().resolution, 512);
+
+  write_nest_failure(file(), config_, {}, "no such shape");
+  read = read_nest(file());
+  EXPECT_EQ(read.error, "no such shape");
+  EXPECT_EQ(read.config, describe(config_));
+}
+
+TEST_F(NestRecord, ASearchGoesOnFromACheckpointAsIfItHadNeverStopped) {
+  search();
+  const NestResult whole = run_nest(config_, hooks_);
+  for (const int stop : {1, 6, 17}) {  // in the swarm, after a restart, in the climb
+    int asked = 0;
+    NestHooks stopping;
+    stopping.interrupted = [&] { return ++asked >= stop; };
+    stopping.keep = [&](const NestCheckpoint& checkpoint) { write_checkpoint(file(), checkpoint); };
+    const NestResult part = run_nest(config_, stopping);
+    EXPECT_EQ(part.ending, NestResult::Ending::interrupted);
+    EXPECT_EQ(part.trace.size(), std::size_t(stop));
+    EXPECT_EQ(termination_of(part), "interrupted");
+
+    const NestCheckpoint checkpoint = read_checkpoint(file());
+    EXPECT_EQ(describe(checkpoint.config), describe(config_));
+    NestHooks going_on = hooks_;
+    going_on.resume = &checkpoint;
+    const NestResult rest = run_nest(checkpoint.config, going_on);
+    EXPECT_EQ(rest.scale, whole.scale) << stop;
+    EXPECT_EQ(rest.transform, whole.transform) << stop;
+    EXPECT_EQ(rest.evaluations, whole.evaluations) << stop;
+    ASSERT_EQ(rest.trace.size(), whole.trace.size()) << stop;
+    EXPECT_EQ(rest.trace_seconds.size(), rest.trace.size()) << stop;
+    EXPECT_TRUE(std::ranges::is_sorted(rest.trace_seconds)) << stop;
+  }
+}
+
+TEST_F(NestRecord, RefusesOtherFilesAndCheckpointsOfOtherSearches) {
+  config_.scale = 0.5;
+  write_nest(file(), run_nest(config_, hooks_));
+  expect_refusal([&] { (void)read_checkpoint(file()); }, file().string(), {"not a checkpoint of a nesting"});
+  config_.scale.reset();
+  search();
+  NestHooks keeping = hooks_;
+  keeping.keep = [&](const NestCheckpoint& checkpoint) { write_checkpoint(file(), checkpoint); };
+  (void)run_nest(config_, keeping);
+  expect_refusal([&] { (void)read_nest(file()); }, file().string(), {"not a nesting"});
+  NestCheckpoint checkpoint = read_checkpoint(file());
+  checkpoint.state.swarm.own_value.pop_back();
+  keeping.resume = &checkpoint;
+  expect_refusal([&] { (void)run_nest(config_, keeping); }, "a checkpoint that does not fit", {"2 swarms"});
+}
+
+}  // namespace
+}  // namespace kreisel
