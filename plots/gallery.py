@@ -8,7 +8,7 @@ import tempfile
 
 from style import plt
 
-WIDTH, HEIGHT, FRAME = 800, 640, 145  # what the browser takes of the window's height
+WIDTH, HEIGHT = 800, 760
 
 
 def arguments():
@@ -23,17 +23,17 @@ def still(browser, page, view, folder):
     """The view of a page and nothing else, as an image."""
     shot = pathlib.Path(folder) / "still.png"
     subprocess.run([browser, "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-                    f"--user-data-dir={folder}/profile", f"--window-size={WIDTH},{HEIGHT + FRAME}",
+                    f"--user-data-dir={folder}/profile", f"--window-size={WIDTH},{HEIGHT}",
                     f"--screenshot={shot}", f"file://{pathlib.Path(page).resolve()}#picture&{view}"],
                    check=True, capture_output=True)
-    return plt.imread(shot)[:HEIGHT]
+    return plt.imread(shot)
 
 
 def main():
     options = arguments()
     columns = min(3, len(options.pages))
     rows = -(-len(options.pages) // columns)
-    figure, axes = plt.subplots(rows, columns, figsize=(3.6 * columns, 3.1 * rows), squeeze=False)
+    figure, axes = plt.subplots(rows, columns, figsize=(3.2 * columns, 3.3 * rows), squeeze=False)
     with tempfile.TemporaryDirectory() as folder:
         for ax, given in zip(axes.flat, options.pages):
             page, _, caption = given.rpartition("=")
@@ -43,7 +43,7 @@ def main():
     for ax in axes.flat:
         ax.axis("off")
     figure.tight_layout()
-    figure.savefig(options.output, dpi=150)
+    figure.savefig(options.output, dpi=110)
 
 
 if __name__ == "__main__":
