@@ -37,7 +37,7 @@ def made(program, part, stl):
 
 
 def slicer_says(stl):
-    """PrusaSlicer's fields of --info; its exit code says nothing."""
+    """PrusaSlicer's fields of --info; its exit code says nothing, and its volume is summed in single precision."""
     said = subprocess.run(["prusa-slicer", "--info", stl], capture_output=True, text=True, check=False).stdout
     return dict(re.findall(r"^(\w+) = +(\S+)", said, re.M))
 
