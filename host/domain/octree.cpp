@@ -109,15 +109,23 @@ int octree_levels(const Grid& grid) {
   return std::bit_width(static_cast<unsigned>(*std::ranges::max_element(grid.n)) - 1);
 }
 
+namespace {
+
+/// The cubes of an edge within `cube` that meet the grid, along the curve.
+void add_uniform(const Grid& grid, int edge, const Cube& cube, std::vector<Cube>& cubes) {
+  if (cube.x >= grid.n[0] || cube.y >= grid.n[1] || cube.z >= grid.n[2]) return;
+  if (cube.edge == edge)
+    cubes.push_back(cube);
+  else
+    for (int part = 0; part < 8; ++part) add_uniform(grid, edge, cube.child(part), cubes);
+}
+
+}  // namespace
+
 std::vector<Cube> uniform_cubes(const Grid& grid, int edge) {
   std::vector<Cube> cubes;
-  const auto e = static_cast<std::uint16_t>(edge);
-  for (int z = 0; z < grid.n[2]; z += edge)
-    for (int y = 0; y < grid.n[1]; y += edge)
-      for (int x = 0; x < grid.n[0]; x += edge)
-        cubes.push_back(
-            {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(z), e});
-  std::ranges::sort(cubes, {}, place_on_curve);
+  const int whole = std::max(edge, 1 << octree_levels(grid));
+  add_uniform(grid, edge, {0, 0, 0, static_cast<std::uint16_t>(whole)}, cubes);
   return cubes;
 }
 

@@ -22,6 +22,35 @@ cl::Buffer upload_runs(device::Device& device, const Columns& domain, Value valu
   return upload_words(device, words);
 }
 
+/// What the kernel sums of one cube.
+CubeSums sums_on_host(const Columns& domain, const std::vector<std::uint32_t>& first, const Cube& cube) {
+  const int nx = domain.grid.n[0], left = std::min<int>(cube.x, nx), right = std::min(cube.x + cube.edge, nx);
+  CubeSums s{};
+  for (int iy = cube.y; iy < std::min(cube.y + cube.edge, domain.grid.n[1]); ++iy) {
+    const std::size_t row = static_cast<std::size_t>(nx) * iy;
+    const auto j = static_cast<std::uint64_t>(iy - cube.y);
+    for (std::uint32_t r = first[row + left]; r < first[row + right]; ++r) {
+      const Interval& run = domain.intervals[r];
+      const auto a = static_cast<std::uint64_t>(std::clamp<int>(run.k0 - cube.z, 0, cube.edge)),
+                 b = static_cast<std::uint64_t>(std::clamp<int>(run.k1 - cube.z, 0, cube.edge)), n = b - a,
+                 i = static_cast<std::uint64_t>(run.ix - cube.x);
+      if (n == 0) continue;
+      const std::uint64_t k = (a + b - 1) * n / 2;
+      s[S1] += n;
+      s[SX] += i * n;
+      s[SY] += j * n;
+      s[SZ] += k;
+      s[SXY] += i * j * n;
+      s[SYZ] += j * k;
+      s[SXZ] += i * k;
+      s[SXX] += i * i * n;
+      s[SYY] += j * j * n;
+      s[SZZ] += n * (2 * (a * a + a * b + b * b) - 3 * (a + b) + 1) / 6;
+    }
+  }
+  return s;
+}
+
 }  // namespace
 
 CubeSums full_cube(int edge) {
@@ -69,16 +98,17 @@ std::vector<std::uint32_t> first_runs(const Columns& domain) {
   return first;
 }
 
-CellMoments::CellMoments(device::Device& device, const Columns& domain)
+CellMoments::CellMoments(device::Device& device, const Columns& domain, std::size_t few)
     : device_(&device),
-      nx_(domain.grid.n[0]),
-      ny_(domain.grid.n[1]),
-      first_(upload_words(device, first_runs(domain))),
+      domain_(&domain),
+      few_(few),
+      first_(first_runs(domain)),
+      first_on_device_(upload_words(device, first_)),
       ix_(upload_runs(device, domain, [](const Interval& run) { return run.ix; })),
       low_(upload_runs(device, domain, [](const Interval& run) { return run.k0; })),
       high_(upload_runs(device, domain, [](const Interval& run) { return run.k1; })),
       kernel_(device::build(device, "cell_moments"), "cell_moments") {
-  kernel_.setArg(2, first_);
+  kernel_.setArg(2, first_on_device_);
   kernel_.setArg(3, ix_);
   kernel_.setArg(4, low_);
   kernel_.setArg(5, high_);
@@ -86,7 +116,12 @@ CellMoments::CellMoments(device::Device& device, const Columns& domain)
 
 std::vector<CubeSums> CellMoments::operator()(std::span<const Cube> cubes) {
   std::vector<CubeSums> sums(cubes.size());
-  if (cubes.empty()) return sums;
+  std::size_t columns = 0;
+  for (const Cube& cube : cubes) columns += std::size_t{cube.edge} * cube.edge;
+  if (columns <= few_) {
+    for (std::size_t c = 0; c < cubes.size(); ++c) sums[c] = sums_on_host(*domain_, first_, cubes[c]);
+    return sums;
+  }
   const auto [corners, out] = checked("allocating device arrays", [&] {
     return std::pair(cl::Buffer(device_->context(), CL_MEM_READ_ONLY, cubes.size_bytes()),
                      cl::Buffer(device_->context(), CL_MEM_WRITE_ONLY, sums.size() * sizeof(CubeSums)));
@@ -97,8 +132,8 @@ std::vector<CubeSums> CellMoments::operator()(std::span<const Cube> cubes) {
   kernel_.setArg(1, corners);
   kernel_.setArg(6, out);
   device::set_params<CellParams>(*device_, kernel_, 0, [&](auto& p) {
-    p.nx = nx_;
-    p.ny = ny_;
+    p.nx = domain_->grid.n[0];
+    p.ny = domain_->grid.n[1];
     p.n = static_cast<int>(cubes.size());
   });
   device_->run(kernel_, device::padded(cubes.size()), device::padding);

@@ -33,15 +33,19 @@ using CubeSums = std::array<std::uint64_t, 10>;
 /// Sums over the cells of octrees of one domain, exact on any device.
 class CellMoments {
  public:
-  CellMoments(device::Device& device, const Columns& domain);
+  /// @param domain  is kept by reference
+  /// @param few     columns, those of all cubes counted, that the host sums sooner than a launch takes
+  CellMoments(device::Device& device, const Columns& domain, std::size_t few = 32'000);
 
   /// @param cubes  edges up to Cube::most_edge, corners inside the grid
   [[nodiscard]] std::vector<CubeSums> operator()(std::span<const Cube> cubes);
 
  private:
   device::Device* device_;
-  int nx_, ny_;
-  cl::Buffer first_, ix_, low_, high_;
+  const Columns* domain_;
+  std::size_t few_;
+  std::vector<std::uint32_t> first_;
+  cl::Buffer first_on_device_, ix_, low_, high_;
   cl::Kernel kernel_;
 };
 

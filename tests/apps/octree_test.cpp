@@ -48,13 +48,13 @@ TEST_F(OctreeRun, SolvesTopsYoyosAndTwoMaterials) {
     EXPECT_TRUE(r.at("verified").at("ok").get<bool>()) << task << a.out;
     EXPECT_LE(r.at("gap").get<double>(), 0.01) << task;
     EXPECT_GE(r.at("refinements").size(), 3u) << "levels 2 to 5" << task;
-    EXPECT_LE(r.at("rounding").at("violation").get<double>(), 1e-3) << task;
+    EXPECT_LE(r.at("rounding").at("constraint_violation").get<double>(), 1e-3) << task;
   }
 }
 
 TEST_F(OctreeRun, ThatRoundsToInfeasibleSaysByHowMuchAndIsMended) {
   const BenchAnswer nearest = octree("--level 5 --rounding nearest");
-  const double missed = result().at("rounding").at("violation").get<double>();
+  const double missed = result().at("rounding").at("constraint_violation").get<double>();
   EXPECT_EQ(result().at("rounding").at("moved_voxels"), 0);
   EXPECT_NE(nearest.out.find(fmt::format("violation {:.1e}", missed)), std::string::npos) << nearest.out;
   EXPECT_GT(missed, 5e-5);
@@ -62,7 +62,7 @@ TEST_F(OctreeRun, ThatRoundsToInfeasibleSaysByHowMuchAndIsMended) {
   const BenchAnswer fitted = octree("--level 5");
   EXPECT_EQ(fitted.code, 0) << fitted.out;
   EXPECT_GT(result().at("rounding").at("moved_voxels").get<int>(), 0);
-  EXPECT_LT(result().at("rounding").at("violation").get<double>(), missed / 5);
+  EXPECT_LT(result().at("rounding").at("constraint_violation").get<double>(), missed / 5);
   EXPECT_TRUE(result().at("verified").at("ok").get<bool>()) << fitted.out;
 }
 
@@ -72,7 +72,8 @@ TEST_F(OctreeRun, WhoseFirstCellsAreTooCoarseIsRefinedUntilTheyAreNot) {
   EXPECT_EQ(a.code, 0) << a.out;
   const json r = result();
   EXPECT_EQ(r.at("termination"), "optimal");
-  EXPECT_GT(r.at("refinements").at(0).at("violation").get<double>(), 1e-4) << "or nothing was tested";
+  EXPECT_GT(r.at("refinements").at(0).at("constraint_violation").get<double>(), 1e-4)
+      << "or nothing was tested";
   EXPECT_LE(r.at("gap").get<double>(), 0.01) << a.out;
   EXPECT_TRUE(r.at("verified").at("ok").get<bool>()) << a.out;
 }

@@ -18,7 +18,7 @@ Moments tolerance(const Cube& cube, const CubeSums& sums) {
 
 class CellMomentsOn : public testing::TestWithParam<bool> {
  protected:
-  CellMoments kernel_{GetParam() ? single_device() : test_device(), torus()};
+  CellMoments kernel_{GetParam() ? single_device() : test_device(), torus(), 0};
 };
 
 TEST_P(CellMomentsOn, AreThoseOfTheReferenceForCubesOfEverySize) {
@@ -53,6 +53,16 @@ TEST_P(CellMomentsOn, OfACubeAreExactlyTheSumOfItsParts) {
   }
 }
 
+TEST_P(CellMomentsOn, OfFewColumnsAreTheHostsToTheLastDigit) {
+  CellMoments host(test_device(), torus(), SIZE_MAX);
+  for (const int edge : {1, 2, 8, 32}) {
+    std::vector<Cube> cubes;
+    for (const Cube& cube : uniform_cubes(torus().grid, 2 * edge))
+      for (int part = 0; part < 8; ++part) cubes.push_back(cube.child(part));  // some beyond the grid
+    EXPECT_EQ(host(cubes), kernel_(cubes)) << edge;
+  }
+}
+
 TEST_P(CellMomentsOn, OfCubesWithoutShellAreTheClosedForm) {
   std::size_t full = 0;
   for (const int edge : {1, 2, 4}) {
@@ -74,7 +84,8 @@ TEST_P(CellMomentsOn, FillTheLargestCubeWithoutOverflow) {
     for (int ix = 0; ix < 256; ++ix)
       block.intervals.push_back({static_cast<std::uint16_t>(ix), static_cast<std::uint16_t>(iy), 0, 256});
   const Cube cube{0, 0, 0, 256};
-  EXPECT_EQ(CellMoments(GetParam() ? single_device() : test_device(), block)({&cube, 1})[0], full_cube(256));
+  EXPECT_EQ(CellMoments(GetParam() ? single_device() : test_device(), block, 0)({&cube, 1})[0],
+            full_cube(256));
 }
 
 TEST_P(CellMomentsOn, OfNoCubesAreNone) { EXPECT_TRUE(kernel_({}).empty()); }
