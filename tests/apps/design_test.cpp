@@ -178,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, DesignMistake,
     ::testing::Values(Mistake{"spin ellipsoid", "--output is required"},
                       Mistake{"spin -o part.stl", "model is required"},
-                      Mistake{"spni ellipsoid -o part.stl", "did you mean 'spin'?"},
+                      Mistake{"sppin ellipsoid -o part.stl", "did you mean 'spin'?"},
                       Mistake{"spin nosuch.stl -o part.stl", "no such file"},
                       Mistake{"spin elipsoid -o part.stl", "did you mean 'ellipsoid'?"},
                       Mistake{"spin ellipsoid -o part.xyz", "expected"},

@@ -214,6 +214,17 @@ TEST_F(Record, KeepsTablesWithTheirShapes) {
             std::vector<double>(model.data(), model.data() + model.size()));
 }
 
+TEST_F(Record, OfTheAngleFormKeepsTheAngle) {
+  RunResult r = made_by_hand();
+  write_record(folder_.path / "trace.h5", r);
+  EXPECT_FALSE(hdf5::File::open(folder_.path / "trace.h5").group("solve").has("phi"));
+  r.outcome.auxiliary = {0.3};
+  write_record(folder_.path / "angle.h5", r);
+  const auto file = hdf5::File::open(folder_.path / "angle.h5");
+  EXPECT_EQ(file.group("solve").real("phi"), 0.3);
+  EXPECT_EQ(file.group("solve").text("phi_units"), "rad");
+}
+
 TEST_F(Record, OfACertifiedRunHoldsTheProof) {
   const RunResult r = certified_by_hand();
   write_record(folder_.path / "run.h5", r);
@@ -437,7 +448,9 @@ TEST_F(Record, IsReadByH5py) {
   const fs::path path = kept != nullptr && *kept != '\0' ? fs::path(kept) : folder_.path / "run.h5";
   const fs::path script = fs::path(KREISEL_SOURCE) / "tests/record/h5py_test.py";
   const std::string command = python + " '" + script.string() + "' '" + path.string() + "'";
-  for (const RunResult& result : {certified_by_hand(), made_by_hand()}) {
+  RunResult angle = made_by_hand();
+  angle.outcome.auxiliary = {0.3};
+  for (const RunResult& result : {certified_by_hand(), made_by_hand(), angle}) {
     write_record(path, result);
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
   }

@@ -26,10 +26,13 @@ void require_writable(const std::string& file, const char* option) {
                                  folder.string(), std::strerror(errno)));
 }
 
+std::string output_error() {
+  return fmt::format("standard output: {}; expected one that takes what is printed", std::strerror(errno));
+}
+
 void flush_output() {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
-  throw InputError(
-      fmt::format("standard output: {}; expected one that takes what is printed", std::strerror(errno)));
+  throw InputError(output_error());
 }
 
 }  // namespace kreisel::apps

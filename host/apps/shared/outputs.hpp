@@ -10,6 +10,9 @@ namespace kreisel::apps {
 /// @throws InputError  its folder is none or refuses new files, or the name is taken by a folder
 void require_writable(const std::string& file, const char* option);
 
+/// Why standard output took no more, by errno: one line of what, why and what was expected.
+[[nodiscard]] std::string output_error();
+
 /// Sends out what standard output holds back. @throws InputError  it takes no more, as a full disk does
 void flush_output();
 
