@@ -80,7 +80,7 @@ Asking make_asking(const Nesting& nesting, device::Device& device, const Optimis
 }
 
 void finish(OptimiseResult& result, const Asking& asking) {
-  if (!result.state.best.empty()) {
+  if (result.state.scale > 0) {  // the position has no numbers where nothing is free
     result.best = asking.objective->placements().placement(result.state.best);
     result.best->pose.scale = result.state.scale;
   }

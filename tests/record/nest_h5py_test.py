@@ -28,5 +28,6 @@ with h5py.File(sys.argv[1], "r") as file:
     corners = 2.0 * np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
     placed = corners @ transform[:, :3].T + transform[:, 3]
     assert (placed > 0).all() and (placed < 4).all()
-    assert at["certified_scale"] >= at["scale"] and at["sampled_scale"] >= at["scale"]
+    # Walls along the removal direction: what is sampled errs either way, by a part of a pixel.
+    assert at["certified_scale"] >= at["scale"] and abs(at["sampled_scale"] - at["scale"]) < 2 * 4 / 512
     assert file["config"].attrs["free"] == "position,removal" and file["provenance"].attrs["commit"]
