@@ -99,7 +99,7 @@ def draw_open(axes, cut, shapes, apart):
     normal, point = unit(cut["normal"]), cut["point"]
     right, up = frame(cut, shapes[0])
     size = np.ptp(shapes[0].reshape(-1, 3) @ normal)
-    lift, half_lift = (0.85 * size * np.asarray(cut["plus"]), 0.42 * size * np.asarray(cut["plus"])) if apart else (0, 0)
+    lift, half_lift = (1.1 * size * np.asarray(cut["plus"]), 0.5 * size * np.asarray(cut["plus"])) if apart else (0, 0)
     lower = lambda p: (p - point) @ normal <= 0  # noqa: E731
     upper = lambda p: (p - lift - point) @ normal >= 0  # noqa: E731
     everything = [shapes[0].reshape(-1, 3)[lower(shapes[0].reshape(-1, 3))], shapes[1].reshape(-1, 3) + half_lift]
