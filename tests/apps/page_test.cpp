@@ -44,7 +44,7 @@ TEST_F(Page, ShowsThePartAndCutsItOpen) {
   if (std::system("command -v chromium > /dev/null 2>&1") != 0) GTEST_SKIP() << "chromium is not installed";
   const auto opened = [&](const char* cut) {
     return shell(
-               fmt::format("timeout 60 chromium --headless --no-sandbox --use-angle=swiftshader "
+               fmt::format("timeout 300 chromium --headless --no-sandbox --use-angle=swiftshader "
                            "--enable-unsafe-swiftshader --user-data-dir='{0}/profile' --window-size=900,700 "
                            "--dump-dom 'file://{0}/page.html#cut={1}' 2> /dev/null",
                            folder_.path.string(), cut))

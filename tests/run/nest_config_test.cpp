@@ -48,6 +48,15 @@ const std::map<std::string_view, std::string_view> others = {
     {"seconds", "1.5"},
     {"accuracy", "12"},
     {"timings", "5"},
+    {"layers", "3"},
+    {"within", "bear kitten"},
+    {"printer-accuracy", "0.7"},
+    {"wall", "0.5"},
+    {"cells", "96"},
+    {"landscape", "32"},
+    {"rotations", "64"},
+    {"view", "0,0,1"},
+    {"keep-shapes", "yes"},
     {"device", "pocl"},
 };
 
