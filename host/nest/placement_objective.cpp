@@ -8,10 +8,11 @@ namespace {
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 }
 
-PlacementObjective::Asked PlacementObjective::allowed(std::span<const double> positions) const {
+PlacementObjective::Asked PlacementObjective::allowed(std::span<const double> positions,
+                                                      std::size_t count) const {
   const auto size = static_cast<std::size_t>(space().size());
   Asked asked;
-  for (std::size_t i = 0; i * size < positions.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     Placement placement = placements_.placement(positions.subspan(i * size, size));
     if (keep_outs_.touched(placement.cut)) continue;
     asked.placements.push_back(placement);
@@ -25,7 +26,7 @@ std::vector<double> ScaleInPosition::values(std::span<const double> positions,
   std::vector<double> values(floors.size(), nothing);
   // A copy of no size is none, and no feasibility test takes it.
   Asked worth;
-  const Asked asked = allowed(positions);
+  const Asked asked = allowed(positions, floors.size());
   for (std::size_t k = 0; k < asked.index.size(); ++k)
     if (asked.placements[k].pose.scale > 0) {
       worth.placements.push_back(asked.placements[k]);
@@ -39,7 +40,7 @@ std::vector<double> ScaleInPosition::values(std::span<const double> positions,
 
 std::vector<double> LargestScale::values(std::span<const double> positions, std::span<const double> floors) {
   std::vector<double> values(floors.size(), nothing);
-  const Asked asked = allowed(positions);
+  const Asked asked = allowed(positions, floors.size());
   std::vector<SearchLimits> limits;
   for (const std::size_t i : asked.index)
     limits.push_back({upper_, abort_ ? std::max(floors[i], 0.0) : 0.0, tolerance_});

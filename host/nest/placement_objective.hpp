@@ -34,7 +34,8 @@ class PlacementObjective : public Objective {
     std::vector<Placement> placements;
     std::vector<std::size_t> index;  ///< of each, among the positions
   };
-  [[nodiscard]] Asked allowed(std::span<const double> positions) const;
+  /// @param count  of the positions, which may have no numbers
+  [[nodiscard]] Asked allowed(std::span<const double> positions, std::size_t count) const;
 
  private:
   PlacementSpace placements_;

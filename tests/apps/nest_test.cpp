@@ -75,7 +75,7 @@ TEST_F(BenchNest, CtrlCKeepsTheBestAndACheckpointFromWhichItGoesOn) {
                 "nest --outer '{0}/large.off' --inner '{0}/small.off' --free all --particles 20 --iterations "
                 "1000000 --checkpoint '{1}' --json '{0}/stopped.json'",
                 folder_.path.string(), kept),
-            "timeout --signal=INT 4");
+            "timeout --foreground --signal=INT 4");
   EXPECT_EQ(stopped.code, 124) << "as timeout says; " << stopped.out;
   ASSERT_TRUE(std::filesystem::exists(kept)) << stopped.out;
   std::ifstream file(folder_.path / "stopped.json");
