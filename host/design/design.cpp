@@ -31,8 +31,10 @@ Cut parse_plane(const std::string& text) {
 /// Drills and cuts the part, always in the same places.
 class Finishing {
  public:
-  explicit Finishing(const DesignSpec& spec) : automatic_(spec.cut == "auto"), drain_(spec.drain_radius) {
+  explicit Finishing(const DesignSpec& spec)
+      : automatic_(spec.cut == "auto"), drain_(spec.drain_radius), pegs_{spec.peg_radius} {
     if (!automatic_ && !spec.cut.empty()) planes_.push_back(parse_plane(spec.cut));
+    if (pegs_.radius > 0 && spec.cut.empty()) throw InputError("--pegs without a cut; expected --cut, too");
   }
 
   [[nodiscard]] bool wanted() const { return automatic_ || !planes_.empty() || drain_ > 0; }
@@ -50,12 +52,13 @@ class Finishing {
         drains_ = drains_of(part.surfaces[0], part.surfaces[1], drain_, body.frame.rotation.row(2));
       part.surfaces = {drained(part.surfaces[0], part.surfaces[1], drains_, drain_)};
     }
-    return planes_.empty() ? std::vector{part} : cut_part(part, planes_);
+    return planes_.empty() ? std::vector{part} : cut_part(part, planes_, pegs_);
   }
 
  private:
   bool automatic_;
   double drain_;
+  Pegs pegs_;
   std::vector<Cut> planes_;
   std::vector<Drain> drains_;
 };

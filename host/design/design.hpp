@@ -19,6 +19,7 @@ struct DesignSpec {
   /// Where the part is cut: "auto", by the planes that open all voids; or "NX,NY,NZ,D", where normal . x = D,
   /// model coordinates in mm. Empty: it stays whole.
   std::string cut;
+  double peg_radius = 0;    ///< of pins that align the halves of a cut, mm; 0: none
   double drain_radius = 0;  ///< of a hole into every void, mm; 0: none
 };
 

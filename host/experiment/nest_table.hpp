@@ -18,6 +18,14 @@ namespace kreisel {
 [[nodiscard]] Tables nest_accuracy_tables(const std::vector<RecordedRun>& runs,
                                           const std::optional<Published>& published);
 
+/// A block for each run, a row for each layer from the outside in.
+[[nodiscard]] Tables nest_layers_tables(const std::vector<RecordedRun>& runs,
+                                        const std::optional<Published>& published);
+
+/// A row a landscape, with the time that 256 x 256 centroids of 256 x 256 rotations take at its speed.
+[[nodiscard]] Tables nest_landscape_tables(const std::vector<RecordedRun>& runs,
+                                           const std::optional<Published>& published);
+
 /// What of a configuration differs among the runs, seeds aside: "swarm = basic, topology = ring" of each;
 /// "defaults" where it has nothing of that.
 [[nodiscard]] std::vector<std::string> settings_of_search(const std::vector<RecordedRun>& runs);

@@ -51,6 +51,10 @@ const std::vector<TableKind>& table_kinds() {
       {"nest-variants", "a row a setting of a search, over its seeds: scales with their spread, seconds",
        nest_variants_tables, true},
       {"nest-accuracy", "a row a resolution: sampled scales less exact ones", nest_accuracy_tables, true},
+      {"nest-layers", "a row a layer: how large, how thin the wall, how long it took", nest_layers_tables,
+       true},
+      {"nest-landscape", "a row a map of how large outlines nest, over all rotations", nest_landscape_tables,
+       true},
   };
   return all;
 }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "error.hpp"
 #include "mesh/cut_plane.hpp"
+#include "mesh/distance.hpp"
 #include "mesh/encode.hpp"
 #include "mesh/repair.hpp"
 
@@ -33,36 +35,132 @@ TriangleMesh turned(TriangleMesh mesh, const Eigen::Matrix3d& rotation) {
 
 Vec3 in_single_precision(const Vec3& v) { return v.cast<float>().cast<double>(); }
 
-/// Above and below; empty where there is nothing. @param solid  in single precision, and so are the halves
-std::pair<TriangleMesh, TriangleMesh> split(const TriangleMesh& solid, const Cut& plane) {
-  const Eigen::Matrix3d rotation = axis_to_z(plane.normal);
-  const Eigen::DiagonalMatrix<double, 3> over(1, -1, -1);
-  const TriangleMesh level = turned(solid, rotation);
-  const double size = bounding_box(level).extent().maxCoeff(),
-               height = clear_of_corners(level, plane.offset / plane.normal.norm(), 1e-3 * size);
-  const auto half = [&](const Eigen::Matrix3d& turn, double at) {
-    TriangleMesh mesh = above_plane(turned(solid, turn), at, {}, [&](const Vec3& v) -> Vec3 {
-      return turn * in_single_precision(turn.transpose() * v);
-    });
+/// A part turned so that the plane is horizontal.
+struct Level {
+  Eigen::Matrix3d rotation;
+  TriangleMesh mesh;
+  double height;  ///< of the plane
+
+  /// @param solid  in single precision
+  Level(const TriangleMesh& solid, const Cut& plane)
+      : rotation(axis_to_z(plane.normal)), mesh(turned(solid, rotation)) {
+    const double size = bounding_box(mesh).extent().maxCoeff();
+    height = clear_of_corners(mesh, plane.offset / plane.normal.norm(), 1e-3 * size);
+  }
+};
+
+std::vector<Point2> circle(const Point2& centre, double radius) {
+  constexpr int sides = 24;
+  std::vector<Point2> polygon;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / sides;
+    polygon.push_back({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)});
+  }
+  return polygon;
+}
+
+/// How far a point is inside the material, up to a limit; negative outside. By the triangle nearest to it,
+/// which misjudges sides only near sharp edges.
+double depth_of(const SurfaceDistance& distance, const TriangleMesh& mesh, const Vec3& p, double limit) {
+  const auto nearest = distance.nearest(p, limit);
+  if (!nearest) return limit;
+  const Triangle& t = mesh.triangles[*nearest];
+  const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+  const double from = distance_to_triangle(p, a, b, c);
+  return (b - a).cross(c - a).dot(p - a) < 0 ? from : -from;
+}
+
+/// Two places for pegs, or one where there is no room for two.
+std::vector<Point2> places(const Level& level, const Pegs& pegs) {
+  const SurfaceDistance distance(level.mesh);
+  const Box box = bounding_box(level.mesh);
+  const double needed = 1.5 * pegs.radius, limit = box.extent().norm();
+  std::vector<Point2> free;
+  const auto has_room = [&](double x, double y) {
+    constexpr int samples = 4;  // half a radius apart, as much as there is to spare
+    for (int i = -samples; i <= samples; ++i)
+      if (depth_of(distance, level.mesh, {x, y, level.height + pegs.depth() * i / samples}, limit) < needed)
+        return false;
+    return true;
+  };
+  const double step = std::max(pegs.radius / 2, box.extent().maxCoeff() / 100);
+  for (double y = box.lo[1]; y < box.hi[1]; y += step)
+    for (double x = box.lo[0]; x < box.hi[0]; x += step)
+      if (has_room(x, y)) free.push_back({x, y});
+  if (free.empty())
+    throw InputError(
+        fmt::format("no room for a peg of {:.3g} mm radius in the cut; expected a smaller one, or "
+                    "another plane",
+                    pegs.radius));
+  const auto apart = [](const Point2& a, const Point2& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); };
+  // From anywhere to the farthest, and from there: as far apart as it gets, or nearly.
+  const auto farthest = [&](const Point2& from) {
+    return *std::ranges::max_element(free, {}, [&](const Point2& p) { return apart(p, from); });
+  };
+  const Point2 one = farthest(free.front()), other = farthest(one);
+  return apart(one, other) > 4 * pegs.radius ? std::vector{one, other} : std::vector{one};
+}
+
+/// Above and below, in single precision; empty where there is nothing.
+std::pair<TriangleMesh, TriangleMesh> split(const Level& level, const std::vector<Point2>& pegs_at,
+                                            const Pegs& pegs) {
+  const auto half = [&](bool above) {
+    const Eigen::Matrix3d over = above ? Vec3(1, 1, 1).asDiagonal() : Vec3(1, -1, -1).asDiagonal();
+    const Eigen::Matrix3d turn = over * level.rotation;
+    std::vector<BlindHole> holes;
+    for (const Point2& at : pegs_at)
+      holes.push_back({circle({at[0], above ? at[1] : -at[1]}, pegs.radius), pegs.depth()});
+    TriangleMesh mesh =
+        above_plane(turned(level.mesh, over), above ? level.height : -level.height, holes,
+                    [&](const Vec3& v) -> Vec3 { return turn * in_single_precision(turn.transpose() * v); });
     mesh = turned(std::move(mesh), turn.transpose());
     for (Vec3& v : mesh.vertices) v = in_single_precision(v);  // there and back is round-off off
     RepairReport ignored;
     return mesh.triangles.empty() ? mesh : repaired(std::move(mesh), ignored);
   };
-  return {half(rotation, height), half(over * rotation, -height)};
+  return {half(true), half(false)};
+}
+
+/// A pin where it belongs, model coordinates.
+TriangleMesh pin(const Level& level, const Point2& at, const Pegs& pegs) {
+  const double radius = pegs.radius - Pegs::clearance, end = pegs.depth() - Pegs::clearance;
+  TriangleMesh mesh;
+  const std::vector<Point2> polygon = circle(at, radius);
+  const auto sides = static_cast<std::uint32_t>(polygon.size());
+  for (const double z : {level.height - end, level.height + end})
+    for (const Point2& p : polygon) mesh.vertices.emplace_back(p[0], p[1], z);
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const std::uint32_t j = (i + 1) % sides;
+    mesh.triangles.push_back({i, j, sides + j});
+    mesh.triangles.push_back({i, sides + j, sides + i});
+  }
+  for (std::uint32_t i = 1; i + 1 < sides; ++i) {
+    mesh.triangles.push_back({0, i + 1, i});
+    mesh.triangles.push_back({sides, sides + i, sides + i + 1});
+  }
+  return turned(std::move(mesh), level.rotation.transpose());
 }
 
 }  // namespace
 
-std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Cut> planes) {
+std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Cut> planes, const Pegs& pegs) {
+  if (pegs.radius > 0 && (planes.size() != 1 || pegs.radius <= Pegs::clearance))
+    throw InputError(
+        fmt::format("pegs of {:.3g} mm radius and {} planes; expected one plane, and more than {} mm",
+                    pegs.radius, planes.size(), Pegs::clearance));
   std::vector<TriangleMesh> pieces = {joined(part.surfaces, part.name)};
   for (Vec3& v : pieces[0].vertices) v = in_single_precision(v);
+  std::vector<MaterialPart> pins;
   for (const Cut& plane : planes) {
     std::vector<TriangleMesh> next;
     for (const TriangleMesh& piece : pieces) {
-      auto [above, below] = split(piece, plane);
+      const Level level(piece, plane);
+      const std::vector<Point2> at = pegs.radius > 0 ? places(level, pegs) : std::vector<Point2>{};
+      auto [above, below] = split(level, at, pegs);
       for (TriangleMesh* half : {&above, &below})
         if (!half->triangles.empty()) next.push_back(std::move(*half));
+      for (const Point2& p : at)
+        pins.push_back({fmt::format("peg-{}", pins.size() + 1), part.density, {pin(level, p, pegs)}});
     }
     if (next.size() == pieces.size())
       throw InputError(
@@ -76,6 +174,7 @@ std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Cut
     parts.push_back({pieces.size() == 2 ? (i == 0 ? "upper" : "lower") : fmt::format("piece-{}", i + 1),
                      part.density,
                      {std::move(pieces[i])}});
+  for (MaterialPart& peg : pins) parts.push_back(std::move(peg));
   return parts;
 }
 

@@ -9,13 +9,24 @@
 
 namespace kreisel {
 
+/// Loose pins that align two halves: each sits in a hole in either.
+struct Pegs {
+  double radius = 0;  ///< of the holes, mm; 0: none
+  /// By how much less the pins' radius and half their length are, mm. Holes and pins are 24-sided prisms.
+  static constexpr double clearance = 0.1;
+  [[nodiscard]] double depth() const { return 2 * radius; }  ///< of each hole
+};
+
 /// What the planes, one after the other, leave of a part: an upper and a lower half (seen along the normal)
 /// of one plane, pieces with numbers of several; where they were, in model coordinates. Flat caps close them.
+/// Pegs are parts of their own, two where the cut has room for two: of the places with half a radius of
+/// material around the hole, those farthest from each other.
 ///
 /// A plane is moved by up to a thousandth of the part's size to where it keeps clear of all corners, and all
 /// coordinates are in single precision, so that no file format makes a cap's slivers fold.
 ///
-/// @throws InputError  a plane that misses the part
-[[nodiscard]] std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Cut> planes);
+/// @throws InputError  a plane that misses the part; pegs and several planes, or no room for a peg
+[[nodiscard]] std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Cut> planes,
+                                                 const Pegs& pegs = {});
 
 }  // namespace kreisel

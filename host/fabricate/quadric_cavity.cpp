@@ -10,6 +10,7 @@
 
 #include "domain/exact.hpp"
 #include "error.hpp"
+#include "parallel.hpp"
 
 namespace kreisel {
 namespace {
@@ -163,11 +164,15 @@ TriangleMesh CavityMesher::operator()(const Moments& q) const {
   const Quadric quadric(q);
   const double cell = lattice_.cell(), tolerance = 1e-7 * cell;
   std::vector<std::uint8_t> inside(lattice_.size());
-  lattice_.for_each([&](const Index& at) {
-    const std::size_t id = lattice_.id(at);
-    if (!deep_[id]) return;
-    const Vec3 p = lattice_.point(at);
-    inside[id] = quadric(p) > margin * cell * quadric.gradient(p).norm();
+  parallel_for(static_cast<std::size_t>(lattice_.n().z()), [&](std::size_t layer) {
+    const int k = static_cast<int>(layer);
+    for (int j = k % 2; j < lattice_.n().y(); j += 2)
+      for (int i = k % 2; i < lattice_.n().x(); i += 2) {
+        const std::size_t id = lattice_.id({i, j, k});
+        if (!deep_[id]) continue;
+        const Vec3 p = lattice_.point({i, j, k});
+        inside[id] = quadric(p) > margin * cell * quadric.gradient(p).norm();
+      }
   });
 
   std::unordered_map<std::uint64_t, double> fresh;

@@ -15,7 +15,17 @@ namespace kreisel::nest {
 namespace {
 
 constexpr std::size_t block = 64;  ///< rays whose ratios are formed at once
+constexpr std::size_t stride = 16;
 constexpr int most_directions = 1 << 20;
+
+/// Each sweep over the rotations takes steps that are this much finer than those of the one before.
+constexpr int finer = 16;
+
+int coarsest(int rotations) {
+  int skip = 1;
+  while (skip * finer * finer < rotations) skip *= finer;
+  return skip;
+}
 
 using Block = Eigen::Array<float, block, 1>;
 
@@ -36,92 +46,110 @@ PlaneShapes plane_shapes(Polygon outer, Polygon inner) {
 }
 
 PlaneSearch::PlaneSearch(const PlaneShapes& shapes, const std::vector<Vec2>& directions)
-    : seen_(directions), inner_(directions), has_several_(directions.size(), -1) {
+    : seen_(directions), inner_(directions) {
   if (directions.empty() || directions.size() % block || directions.size() > most_directions)
     throw InputError(fmt::format("{} directions; expected a multiple of {} up to {}", directions.size(),
                                  block, most_directions));
   inner_.see(shapes.inner, Vec2::Zero());
   for (const float r : inner_.nearest()) reciprocal_.push_back(1 / r);
   reciprocal_.insert(reciprocal_.end(), reciprocal_.begin(), reciprocal_.end());
-  std::vector<int> several = inner_.several();
-  std::ranges::sort(several);
-  for (const int direction : several) {
-    has_several_[static_cast<std::size_t>(direction)] = static_cast<int>(inner_several_.size());
-    const std::span<const float> crossings = inner_.crossings(direction, room_);
-    inner_several_.push_back({direction, {crossings.begin(), crossings.end()}});
-  }
 }
 
-float PlaneSearch::bound(int turn, float floor) {
+/// The least of t / r over a block of rays.
+float PlaneSearch::ratio(std::size_t b, int turn) const {
   const std::vector<float>& t = seen_.nearest();
-  const std::size_t n = t.size(), shift = n - static_cast<std::size_t>(turn);
-  const auto least_of = [&](std::size_t b) {
-    return (Eigen::Map<const Block>(t.data() + b * block) *
-            Eigen::Map<const Block>(reciprocal_.data() + (b * block + shift) % n))
-        .minCoeff();
-  };
-  const auto inner_block = [&](std::size_t b) { return (b * block + shift) % n; };
-  float least = std::numeric_limits<float>::infinity();
-  // What was in the way last is asked first: the same part of A, then the same part of B.
-  const std::size_t guesses[] = {blocking_outer_,
-                                 (blocking_inner_ + static_cast<std::size_t>(turn)) % n / block};
-  for (const std::size_t b : guesses) {
-    least = std::min(least, least_of(b));
-    if (least <= floor) return least;
-  }
-  for (std::size_t b = 0; b < n / block; ++b) {
-    const float here = least_of(b);
-    if (here >= least) continue;
-    least = here;
-    blocking_outer_ = b;
-    blocking_inner_ = inner_block(b);
-    if (least <= floor) return least;
-  }
-  return least;
+  const std::size_t inner = (b * block + t.size() - static_cast<std::size_t>(turn)) % t.size();
+  return (Eigen::Map<const Block>(t.data() + b * block) * Eigen::Map<const Block>(reciprocal_.data() + inner))
+      .minCoeff();
 }
 
-float PlaneSearch::descend(int turn, float scale, float floor) {
+/// What was in the way of the last rotations may be in the way of this one: the same part of A, or of B.
+float PlaneSearch::guess(int turn, float floor) {
+  const std::size_t n = seen_.nearest().size(), shift = static_cast<std::size_t>(turn);
+  float scale = std::min(ratio(blocking_outer_, turn), ratio((blocking_inner_ + shift) % n / block, turn));
+  for (std::size_t k = 0; k < deciding_outer_.size() && scale > floor; ++k)
+    for (const int direction : {deciding_outer_[k], static_cast<int>((deciding_inner_[k] + shift) % n)})
+      scale = lowered(direction, turn, scale);
+  return scale;
+}
+
+/// Every ray's first crossings.
+float PlaneSearch::bound(int turn, float scale, float floor) {
+  const std::size_t n = seen_.nearest().size();
+  for (std::size_t first = 0; first < stride; ++first)
+    for (std::size_t b = first; b < n / block && scale > floor; b += stride)
+      if (const float here = ratio(b, turn); here < scale) {
+        scale = here;
+        blocking_outer_ = b;
+        blocking_inner_ = (b * block + n - static_cast<std::size_t>(turn)) % n;
+      }
+  return scale;
+}
+
+void PlaneSearch::decided_by(int direction, int turn) {
   const int n = static_cast<int>(seen_.nearest().size());
-  ++descents_;
-  // On one ray: inside V up to outer[0], outside up to outer[1], and so on; the same for B.
-  const auto lowered = [&](std::span<const float> outer, std::span<const float> inner) {
-    for (bool again = true; again && scale > floor;) {
-      again = false;
-      for (std::size_t j = 0; j < outer.size(); j += 2)
-        for (std::size_t k = 0; k < inner.size(); k += 2) {
-          const float end = j + 1 < outer.size() ? outer[j + 1] : std::numeric_limits<float>::infinity();
-          const float from = k ? inner[k - 1] : 0, to = inner[k];
-          if (scale * to > outer[j] && scale * from < end) {
-            const float next = outer[j] / to;
-            // Round-off alone may leave the product above what it was divided from.
-            scale = next < scale ? next : std::nextafter(scale, 0.0f);
-            again = true;
-          }
-        }
-    }
-  };
-  for (float before = std::numeric_limits<float>::infinity(); scale < before && scale > floor;) {
-    before = scale;
-    for (const int direction : seen_.several()) {
-      const int inner_direction = (direction - turn + n) % n;
-      const int place = has_several_[static_cast<std::size_t>(inner_direction)];
-      const float single = inner_.nearest()[static_cast<std::size_t>(inner_direction)];
-      lowered(seen_.crossings(direction, room_),
-              place < 0 ? std::span<const float>(&single, 1)
-                        : std::span<const float>(inner_several_[static_cast<std::size_t>(place)].crossings));
-      if (scale <= floor) return scale;
-    }
-    for (const Several& several : inner_several_) {
-      lowered(seen_.crossings((several.direction + turn) % n, room_), several.crossings);
-      if (scale <= floor) return scale;
-    }
+  std::ranges::rotate(deciding_outer_, deciding_outer_.end() - 1);
+  std::ranges::rotate(deciding_inner_, deciding_inner_.end() - 1);
+  deciding_outer_.front() = direction;
+  deciding_inner_.front() = (direction - turn + n) % n;
+}
+
+/// The largest scale up to `scale` at which no part of one ray that lies in s B leaves V. Inside V the ray is
+/// up to its first crossing, outside up to the second, and so on; the same for B.
+float PlaneSearch::lowered(int direction, int turn, float scale) const {
+  const int n = static_cast<int>(seen_.nearest().size());
+  const std::span<const float> outer = seen_.crossings(direction),
+                               inner = inner_.crossings((direction - turn + n) % n);
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t j = 0; j < outer.size(); j += 2)
+      for (std::size_t k = 0; k < inner.size(); k += 2) {
+        const float end = j + 1 < outer.size() ? outer[j + 1] : std::numeric_limits<float>::infinity();
+        const float from = k ? inner[k - 1] : 0, to = inner[k];
+        if (!(scale * to > outer[j] && scale * from < end)) continue;
+        // Round-off alone may leave the product above what it was divided from.
+        scale = std::min(outer[j] / to, std::nextafter(scale, 0.0f));
+        again = true;
+      }
   }
   return scale;
 }
 
+/// Every ray that crosses a border more than once; of the others bound() has said it all.
+float PlaneSearch::descend(int turn, float scale, float floor) {
+  const int n = static_cast<int>(seen_.nearest().size());
+  ++descents_;
+  int deciding = -1;
+  const auto along = [&](int direction) {
+    const float next = lowered(direction, turn, scale);
+    if (next < scale) {
+      scale = next;
+      deciding = direction;
+    }
+    return scale > floor;
+  };
+  // Neighbours fail together: every 16th ray is likely to find what any does.
+  const std::vector<int>&outer_rays = seen_.several(), &inner_rays = inner_.several();
+  const auto pass = [&] {
+    for (std::size_t first = 0; first < stride; ++first) {
+      for (std::size_t k = first; k < outer_rays.size(); k += stride)
+        if (!along(outer_rays[k])) return;
+      for (std::size_t k = first; k < inner_rays.size(); k += stride)
+        if (!along((inner_rays[k] + turn) % n)) return;
+    }
+  };
+  for (float before = std::numeric_limits<float>::infinity(); scale < before && scale > floor;) {
+    before = scale;
+    pass();
+  }
+  if (deciding >= 0) decided_by(deciding, turn);
+  return scale;
+}
+
 float PlaneSearch::largest(int turn, float floor) {
-  const float most = bound(turn, floor);
-  return most <= floor ? most : descend(turn, most, floor);
+  float scale = guess(turn, floor);
+  if (scale > floor) scale = bound(turn, scale, floor);
+  return scale > floor ? descend(turn, scale, floor) : scale;
 }
 
 std::size_t Landscape::best() const {
@@ -172,14 +200,16 @@ Landscape landscape(const PlaneShapes& shapes, const LandscapeSpec& spec,
       ++inside[row];
       search.put(part->outline, centroid);
       float best = 0;
-      for (int k = 0; k < spec.rotations; ++k) {
-        const int rotation = (first + k) % spec.rotations;
-        const float scale = search.largest(rotation * turn, spec.abort ? best : 0);
-        if (scale > best) {
-          best = scale;
-          found.rotation[index] = rotation;
+      // Coarse turns first: the finer ones then have a high floor, and only those about a peak pass it.
+      for (int skip = coarsest(spec.rotations); skip >= 1; skip /= finer)
+        for (int k = 0; k < spec.rotations; k += skip) {
+          const int rotation = (first + k) % spec.rotations;
+          const float scale = search.largest(rotation * turn, spec.abort ? best : 0);
+          if (scale > best) {
+            best = scale;
+            found.rotation[index] = rotation;
+          }
         }
-      }
       found.scale[index] = best;
       first = found.rotation[index];
     }

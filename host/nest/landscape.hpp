@@ -1,6 +1,7 @@
 // landscape.hpp - how large a plane shape nests in another, wherever it is put. [Nest, fig. 7]
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -48,19 +49,18 @@ class PlaneSearch {
   [[nodiscard]] std::uint64_t descents() const { return descents_; }  ///< that were not given up at once
 
  private:
-  [[nodiscard]] float bound(int turn, float floor);
+  [[nodiscard]] float guess(int turn, float floor);
+  [[nodiscard]] float bound(int turn, float scale, float floor);
   [[nodiscard]] float descend(int turn, float scale, float floor);
+  [[nodiscard]] float ratio(std::size_t block, int turn) const;
+  void decided_by(int direction, int turn);
+  [[nodiscard]] float lowered(int direction, int turn, float scale) const;
 
   Radial seen_, inner_;
   std::vector<float> reciprocal_;  ///< 1 / nearest border of B, twice over, so that a shift needs no wrapping
-  struct Several {
-    int direction;
-    std::vector<float> crossings;
-  };
-  std::vector<Several> inner_several_;
-  std::vector<int> has_several_;                         ///< of each direction its place among those, or -1
-  std::size_t blocking_outer_ = 0, blocking_inner_ = 0;  ///< blocks that decided last
-  std::vector<float> room_, other_room_;
+  // What decided last: blocks of rays, and single rays, as seen by A and by B.
+  std::size_t blocking_outer_ = 0, blocking_inner_ = 0;
+  std::array<int, 4> deciding_outer_{}, deciding_inner_{};
   std::uint64_t descents_ = 0;
 };
 

@@ -49,7 +49,7 @@ struct Measures {
 
 /// How deep the deepest point of a solid is: of a lattice, and uphill from there. Nesting units.
 double depth_of(const Nesting& nesting) {
-  constexpr int lattice = 4096;
+  constexpr int lattice = 512;
   const std::vector<Vec3> deep = deep_points(nesting, lattice);
   if (deep.empty()) return 0;
   const SurfaceDistance distance(nesting.outer());
@@ -165,7 +165,13 @@ class Builder {
     const Eigen::Affine3d to_size(Eigen::Scaling(outer_scale));
     const TriangleMesh outside = moved(shapes_[layer.outer], to_size);
     Clock::time_point start = Clock::now();
-    const Nesting nesting(space_inside(outside, spec_.tolerances, voxel), shapes_[layer.inner]);
+    TriangleMesh space = space_inside(outside, spec_.tolerances, voxel);
+    if (space.triangles.empty())
+      throw InputError(
+          fmt::format("shape {} has no inside at cells of {:.3g} mm; expected a mesh without holes, or "
+                      "more cells",
+                      layer.outer + 1, voxel));
+    const Nesting nesting(std::move(space), shapes_[layer.inner]);
     layer.offset_seconds = seconds_since(start);
 
     const OptimiseResult found =
@@ -192,7 +198,8 @@ class Builder {
     const Eigen::Affine3d to_world = outer_to_world * to_size.inverse();
     layer.inner_to_world = to_world * inner_to_outer;
     layer.cut = cut_in_world(found.best->cut, nesting, to_world);
-    layer.ratio = layer.scale * measures_[layer.inner].longest / (outer_scale * outer.longest);
+    layer.longest = layer.scale * measures_[layer.inner].longest;
+    layer.ratio = layer.longest / (outer_scale * outer.longest);
     layer.thickness = clearance(outside, moved(shapes_[layer.inner], inner_to_outer),
                                 cut_in_world(found.best->cut, nesting, Eigen::Affine3d::Identity()), voxel) -
                       spec_.tolerances.accuracy;
@@ -228,7 +235,8 @@ double clearance(const TriangleMesh& outer, const TriangleMesh& inner, const Cut
       const Vec3& removal = cut.removal(half);
       const double way = cut.beyond(half, from) / std::abs(cut.normal.dot(removal));
       for (double t = 0;;) {
-        const double d = distance(from - std::min(t, way) * removal, far);
+        // No farther than is worth knowing: distances to far surfaces are dear.
+        const double d = distance(from - std::min(t, way) * removal, std::min(far, least[b] + 8 * step));
         least[b] = std::min(least[b], d);
         if (t >= way) break;
         t += std::max(step, d - least[b]);  // nothing on the next d - least can be nearer than the least

@@ -37,6 +37,7 @@ struct Layer {
   std::size_t outer = 0, inner = 0;  ///< which of the shapes
   double scale = 0;                  ///< of the inner shape's file
   double certified_scale = 0;        ///< of the same, by the exact test; 0: not even a smaller one
+  double longest = 0;                ///< side of the inner shape, mm
   double ratio = 0;      ///< longest side of the inner shape over that of the outer one, each as in its file
   double thickness = 0;  ///< of the thinnest wall that is left when the inner one, thicker by the accuracy,
                          ///< is carved out along its ways; mm

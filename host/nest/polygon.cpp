@@ -112,7 +112,8 @@ bool mark_largest(Bitmap& bitmap) {
   return most > 0;
 }
 
-/// The corners of the marked piece's border, counter-clockwise (y up).
+/// The marked piece's border, counter-clockwise (y up), by the middles of its pixels' edges: of a staircase
+/// they lie on a line.
 Polygon border(const Bitmap& bitmap) {
   const auto in = [&](int x, int y) { return bitmap(x, y) == largest; };
   int x = 0, y = 0;
@@ -126,7 +127,7 @@ Polygon border(const Bitmap& bitmap) {
   int dx = 1, dy = 0;
   Polygon loop;
   do {
-    loop.emplace_back(x, y);
+    loop.emplace_back(x + 0.5 * dx, y + 0.5 * dy);
     x += dx;
     y += dy;
     // Of the four pixels about the corner, those ahead to the left and to the right.
@@ -180,14 +181,22 @@ Polygon straightened(const Polygon& loop, double tolerance) {
   return result;
 }
 
+/// Do two segments have a point in common? Those on one line are judged by their boxes.
+bool meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const auto side = [](const Vec2& from, const Vec2& to, const Vec2& p) {
+    return cross(to - from, p - from);
+  };
+  if (side(a, b, c) * side(a, b, d) > 0 || side(c, d, a) * side(c, d, b) > 0) return false;
+  return (a.cwiseMin(b).array() <= c.cwiseMax(d).array()).all() &&
+         (c.cwiseMin(d).array() <= a.cwiseMax(b).array()).all();
+}
+
 bool crosses_itself(const Polygon& loop) {
   const std::size_t n = loop.size();
-  const auto side = [](const Vec2& a, const Vec2& b, const Vec2& p) { return cross(b - a, p - a); };
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 2; j < n; ++j) {
-      if (i == 0 && j == n - 1) continue;  // neighbours
-      const Vec2 &a = loop[i], &b = loop[i + 1], &c = loop[j], &d = loop[(j + 1) % n];
-      if (side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0) return true;
+      const bool neighbours = i == 0 && j == n - 1;
+      if (!neighbours && meet(loop[i], loop[i + 1], loop[j], loop[(j + 1) % n])) return true;
     }
   return false;
 }
@@ -242,7 +251,7 @@ Polygon silhouette(const TriangleMesh& mesh, const Vec3& towards, const Vec3& up
     throw InputError(fmt::format("silhouette covers none of {} pixels; expected a solid", pixels));
   const Polygon loop = border(bitmap);
   Polygon result;
-  double tolerance = 0.75;  // half of a pixel's diagonal and a little: staircases become straight
+  double tolerance = 0.75;
   do {
     result = straightened(loop, tolerance);
     tolerance /= 2;

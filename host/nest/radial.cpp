@@ -17,7 +17,10 @@ std::vector<Vec2> directions(int count) {
 }
 
 Radial::Radial(const std::vector<Vec2>& directions)
-    : directions_(directions), slots_(1, std::vector<float>(directions.size())), count_(directions.size()) {}
+    : directions_(directions),
+      slots_(1, std::vector<float>(directions.size())),
+      count_(directions.size()),
+      begin_(directions.size()) {}
 
 void Radial::see(std::span<const Vec2> polygon, const Vec2& from) {
   const int n = static_cast<int>(directions_.size());
@@ -49,7 +52,7 @@ void Radial::see(std::span<const Vec2> polygon, const Vec2& from) {
         const int have = count_[at]++;
         if (have == 1) several_.push_back(d);
         if (have >= static_cast<int>(slots_.size())) slots_.emplace_back(directions_.size());
-        // The nearest goes first, the others in any order.
+        // The nearest goes first, the others in any order for now.
         slots_[static_cast<std::size_t>(have)][at] = have ? std::max(t, slots_[0][at]) : t;
         slots_[0][at] = std::min(t, slots_[0][at]);
       }
@@ -57,14 +60,21 @@ void Radial::see(std::span<const Vec2> polygon, const Vec2& from) {
     a = b;
     i = j;
   }
+  std::ranges::sort(several_);
+  sorted_.clear();
+  for (const int direction : several_) {
+    const auto at = static_cast<std::size_t>(direction);
+    begin_[at] = sorted_.size();
+    for (int k = 0; k < count_[at]; ++k) sorted_.push_back(slots_[static_cast<std::size_t>(k)][at]);
+    std::ranges::sort(std::span(sorted_).subspan(begin_[at]));
+  }
 }
 
-std::span<const float> Radial::crossings(int direction, std::vector<float>& room) const {
+std::span<const float> Radial::crossings(int direction) const {
   const auto at = static_cast<std::size_t>(direction);
-  room.clear();
-  for (int k = 0; k < count_[at]; ++k) room.push_back(slots_[static_cast<std::size_t>(k)][at]);
-  std::ranges::sort(room);
-  return room;
+  const auto count = static_cast<std::size_t>(count_[at]);
+  return count <= 1 ? std::span(slots_.front()).subspan(at, count)
+                    : std::span(sorted_).subspan(begin_[at], count);
 }
 
 }  // namespace kreisel::nest

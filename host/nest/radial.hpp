@@ -28,12 +28,14 @@ class Radial {
   /// Directions with more than one crossing.
   [[nodiscard]] const std::vector<int>& several() const { return several_; }
   /// Distances of all crossings of a direction, the nearest first.
-  [[nodiscard]] std::span<const float> crossings(int direction, std::vector<float>& room) const;
+  [[nodiscard]] std::span<const float> crossings(int direction) const;
 
  private:
   const std::vector<Vec2>& directions_;
   std::vector<std::vector<float>> slots_;  ///< of each crossing, of each direction
   std::vector<int> count_, several_;
+  std::vector<std::size_t> begin_;  ///< in sorted_, of a direction with several
+  std::vector<float> sorted_;
 };
 
 }  // namespace kreisel::nest

@@ -51,10 +51,55 @@ json to_json(const nest::Accuracy& accuracy, const NestResult& result) {
   return out;
 }
 
+json rows_of(const Eigen::Matrix<double, 3, 4>& t) {
+  json rows = json::array();
+  for (int row = 0; row < 3; ++row) rows.push_back({t(row, 0), t(row, 1), t(row, 2), t(row, 3)});
+  return rows;
+}
+
+json to_json(const nest::Layers& layers) {
+  json all = json::array();
+  for (const nest::Layer& layer : layers.layers)
+    all.push_back(
+        {{"outer_shape", layer.outer},
+         {"inner_shape", layer.inner},
+         {"scale", layer.scale},
+         {"certified_scale", layer.certified_scale > 0 ? json(layer.certified_scale) : json()},
+         {"ratio", layer.ratio},
+         {"longest_mm", layer.longest},
+         {"thickness_mm", layer.thickness},
+         {"transform", rows_of(layer.inner_to_world.affine())},
+         {"plane",
+          {{"point", list(layer.cut.offset * layer.cut.normal)}, {"normal", list(layer.cut.normal)}}},
+         {"removal", {{"plus", list(layer.cut.plus)}, {"minus", list(layer.cut.minus)}}},
+         {"evaluations", layer.evaluations},
+         {"seconds",
+          {{"offset", layer.offset_seconds},
+           {"search", layer.search_seconds},
+           {"certify", layer.certify_seconds}}}});
+  return all;
+}
+
+json to_json(const NestLandscape& landscape, const NestResult& result) {
+  json out = common(result);
+  const nest::Landscape& map = landscape.map;
+  const nest::Vec2 at = map.at(map.best());
+  out["centroids"] = {map.nx, map.ny};
+  out["rotations"] = result.config.rotations;
+  out["inside"] = map.inside;
+  out["searched_to_the_end"] = map.descents;
+  out["scale"] = result.scale;
+  out["certified_scale"] =
+      result.certified && result.certified->scale > 0 ? json(result.certified->scale) : json();
+  out["best"] = {{"at", {at.x(), at.y()}}, {"degrees", landscape.degrees}};
+  return out;
+}
+
 }  // namespace
 
 json to_json(const NestResult& result) {
   if (result.accuracy) return to_json(*result.accuracy, result);
+  if (result.landscape) return to_json(*result.landscape, result);
   const NestConfig& config = result.config;
   const bool swarm = !config.free.empty();
   json out = common(result);
@@ -74,15 +119,10 @@ json to_json(const NestResult& result) {
   out["certified_scale"] = certified && certified->scale > 0 ? json(certified->scale) : json();
   out["sampled_scale"] = result.sampled_scale ? json(*result.sampled_scale) : json();
   out["transform"] = nullptr;
-  if (result.placed) {
-    out["transform"] = json::array();
-    for (int row = 0; row < 3; ++row) {
-      const auto& t = result.transform;
-      out["transform"].push_back({t(row, 0), t(row, 1), t(row, 2), t(row, 3)});
-    }
-  }
+  if (result.placed) out["transform"] = rows_of(result.transform);
   out["plane"] = {{"point", list(result.plane_point)}, {"normal", list(result.plane_normal)}};
   out["removal"] = {{"plus", list(result.plus)}, {"minus", list(result.minus)}};
+  if (result.layers) out["layers"] = to_json(*result.layers);
   for (const NestTiming& t : result.timings)
     out["timings"][t.variant] = {{"test_ms", t.test_ms}, {"search_ms", t.search_ms}, {"scale", t.scale}};
   return out;

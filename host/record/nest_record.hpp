@@ -23,6 +23,19 @@ void write_nest(const std::filesystem::path& path, const NestResult& result);
 void write_nest_failure(const std::filesystem::path& path, const NestConfig& config,
                         const Provenance& provenance, const std::string& message);
 
+/// A layer of a record.
+struct LayerSummary {
+  std::size_t outer = 0, inner = 0;  ///< which of the shapes
+  double scale = 0, certified_scale = 0, ratio = 0, longest = 0, thickness = 0, evaluations = 0, seconds = 0;
+};
+
+/// A landscape of a record.
+struct LandscapeSummary {
+  int nx = 0, ny = 0, rotations = 0;
+  double inside = 0, descents = 0, seconds = 0;
+  double scale = 0, x = 0, y = 0, degrees = 0;  ///< of the best
+};
+
 /// What tables and `bench show` need of a nesting's record.
 struct NestSummary {
   std::filesystem::path path;
@@ -40,6 +53,8 @@ struct NestSummary {
   std::vector<Step> trace;
   std::vector<NestTiming> timings;
   std::optional<nest::Accuracy> accuracy;
+  std::vector<LayerSummary> layers;
+  std::optional<LandscapeSummary> landscape;
   std::string commit, device, started;
 };
 

@@ -4,6 +4,7 @@
 
 #include "error.hpp"
 #include "record/hdf5_file.hpp"
+#include "record/nest_groups.hpp"
 #include "record/nest_record.hpp"
 #include "record/schema.hpp"
 
@@ -95,6 +96,8 @@ NestSummary read_nest(const std::filesystem::path& path) {
   }
   if (file.contains("timings")) nest.timings = timings_of(file.group("timings"));
   if (file.contains("accuracy")) nest.accuracy = accuracy_of(file.group("accuracy"), name);
+  if (file.contains("layers")) nest.layers = read_layers(file.group("layers"));
+  if (file.contains("landscape")) nest.landscape = read_landscape(file.group("landscape"));
   return nest;
 }
 

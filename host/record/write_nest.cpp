@@ -4,6 +4,7 @@
 
 #include "record/common_groups.hpp"
 #include "record/hdf5_file.hpp"
+#include "record/nest_groups.hpp"
 #include "record/nest_record.hpp"
 
 namespace kreisel {
@@ -96,6 +97,9 @@ void write_nest(const std::filesystem::path& path, const NestResult& result) {
   if (!result.trace.empty()) write_trace(file, result);
   if (!result.timings.empty()) write_timings(file.new_group("timings"), result.timings);
   if (result.accuracy) write_accuracy(file.new_group("accuracy"), *result.accuracy);
+  if (result.layers) write_layers(file.new_group("layers"), *result.layers);
+  if (result.landscape) write_landscape(file.new_group("landscape"), result);
+  if (!result.shapes.empty()) write_shapes(file.new_group("shapes"), result.shapes);
   file.close();
 }
 

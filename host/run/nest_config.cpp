@@ -25,6 +25,12 @@ double positive(S name, S value) {
   return v;
 }
 
+double at_least_0(S name, S value) {
+  const double v = number(name, value);
+  if (!(v >= 0) || std::isinf(v)) refuse(name, value, "a number >= 0");
+  return v;
+}
+
 int integer(S name, S value) {
   const auto v = parse<int>(value);
   if (!v) refuse(name, value, "a whole number");
@@ -201,6 +207,38 @@ std::vector<NestField> make_fields() {
        [](Const c) { return text_of_number(c.accuracy); }},
       {"timings", "repetitions by which every variant is timed at the placement found; default none", 1,
        [](C c, S n, S v) { c.timings = whole(n, v, 0); }, [](Const c) { return text_of_number(c.timings); }},
+      {"layers", "put a shape into the one outside it this often, or until nothing fits; with --free", 1,
+       [](C c, S n, S v) { c.layers = whole(n, v, 1); }, [](Const c) { return text_of_number(c.layers); }},
+      {"within", "of layers: shapes inside the inner one, the outermost first", 0,
+       [](C c, S, S v) {
+         c.within.clear();
+         for (const S word : split(v, ' ')) c.within.emplace_back(word);
+       },
+       [](Const c) { return fmt::format("{}", fmt::join(c.within, " ")); }},
+      {"printer-accuracy", "of layers: how far a printed surface may be off, mm; default 0", 1,
+       [](C c, S n, S v) { c.tolerances.accuracy = at_least_0(n, v); },
+       [](Const c) { return text_of_number(c.tolerances.accuracy); }},
+      {"wall", "of layers: least thickness that is left, mm; default 0", 1,
+       [](C c, S n, S v) { c.tolerances.wall = at_least_0(n, v); },
+       [](Const c) { return text_of_number(c.tolerances.wall); }},
+      {"cells", "of layers: voxels along the longest side of what is offset; default 192", 1,
+       [](C c, S n, S v) { c.cells = whole(n, v, 8); }, [](Const c) { return text_of_number(c.cells); }},
+      {"landscape",
+       "map how large the shapes' outlines nest, over all rotations, with this many centroids along the "
+       "longer "
+       "side",
+       1, [](C c, S n, S v) { c.landscape = whole(n, v, 1); },
+       [](Const c) { return text_of_number(c.landscape); }},
+      {"rotations", "of a landscape; default 4096", 1, [](C c, S n, S v) { c.rotations = whole(n, v, 1); },
+       [](Const c) { return text_of_number(c.rotations); }},
+      {"view", "of a landscape: from the shapes to the eye, --up upwards; default 0,-1,0", 1,
+       [](C c, S n, S v) { c.view = direction(n, v); }, [](Const c) { return text_of(c.view); }},
+      {"keep-shapes", "yes: the record holds the meshes, for plots/nest_picture.py; default no", 1,
+       [](C c, S n, S v) {
+         if (v != "yes" && v != "no") refuse(n, v, "yes or no");
+         c.keep_shapes = v == "yes";
+       },
+       [](Const c) { return std::string(c.keep_shapes ? "yes" : "no"); }},
       {"device", "index or part of a name; default KREISEL_DEVICE, else a GPU, else PoCL", 1,
        [](C c, S, S v) { c.device = v; }, [](Const c) { return c.device; }},
   };
@@ -232,6 +270,15 @@ void require_valid(const NestConfig& config) {
     throw InputError("no outer shape; expected a name of `bench list` or a mesh file");
   if (config.accuracy > 0 && (!config.free.empty() || config.scale))
     throw InputError("accuracy with free or scale; expected one of them");
+  if ((config.layers > 0) + (config.accuracy > 0) + (config.landscape > 0) > 1)
+    throw InputError("layers, accuracy and landscape together; expected one of them");
+  if (config.layers > 0 && config.free.empty())
+    throw InputError("layers without free; expected what the search for each may change, such as all");
+  if (config.layers == 0 && (config.tolerances.inset() > 0 || !config.within.empty()))
+    throw InputError(
+        "printer-accuracy, wall or within without layers; expected layers, 1 for a single nesting");
+  if (config.landscape > 0 && (!config.free.empty() || config.scale))
+    throw InputError("landscape with free or scale; expected one of them");
   if (!config.free.empty() && config.scale)
     throw InputError("free with scale; expected one of them: a search finds the scale");
   if (config.free.empty()) return;
@@ -254,12 +301,17 @@ std::map<std::string, std::string> describe(const NestConfig& config) {
 }
 
 std::string_view kind_of(const NestConfig& config) {
+  if (config.layers > 0) return "layers";
+  if (config.landscape > 0) return "landscape";
   return config.accuracy > 0 ? "accuracy" : !config.free.empty() ? "swarm" : config.scale ? "test" : "scale";
 }
 
 std::string shapes_text(const NestConfig& config) {
-  return fmt::format("{} in {}", stem(config.inner.empty() ? config.outer : config.inner),
-                     stem(config.outer));
+  std::string text;
+  for (auto shape = config.within.rbegin(); shape != config.within.rend(); ++shape)
+    text += stem(*shape) + " in ";
+  return text + fmt::format("{} in {}", stem(config.inner.empty() ? config.outer : config.inner),
+                            stem(config.outer));
 }
 
 std::string run_name(const NestConfig& config) {

@@ -9,12 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "nest/layers.hpp"
 #include "nest/optimise.hpp"
 
 namespace kreisel {
 
 /// One run: a feasibility test (`scale` is given), a scale search (it isn't), a search over placements
-/// (`free` names something), or a comparison of variants over random placements (`accuracy`). Points and
+/// (`free` names something), one for each of several layers (`layers`), a comparison of variants over random
+/// placements (`accuracy`), or a map of where the shapes' outlines nest how large (`landscape`). Points and
 /// lengths are in the outer shape's coordinates, after it was scaled to `outer_size`.
 struct NestConfig {
   std::string outer, inner;  ///< names of `bench list`, or files; inner empty: the outer shape in itself
@@ -38,6 +40,16 @@ struct NestConfig {
   std::vector<nest::KeepOut> keep_outs;
   nest::PlacementSearchOptions search;  ///< not by the paper's defaults but by what pso_variants recommends
   double seconds = std::numeric_limits<double>::infinity();  ///< after which the search ends
+
+  int layers = 0;                        ///< times that a shape is put into another; 0: no layers
+  std::vector<std::string> within;       ///< of layers: shapes inside the inner one, the outermost first
+  nest::Tolerances tolerances;           ///< of layers
+  int cells = nest::LayersSpec().cells;  ///< of their offsets
+
+  int landscape = 0;           ///< centroids along the longer side of the outline; 0: no landscape
+  int rotations = 4096;        ///< of each
+  Vec3 view = -Vec3::UnitY();  ///< from the shapes to the eye that sees their outlines, `up` upwards
+  bool keep_shapes = false;    ///< the record holds the meshes, for pictures
 
   int accuracy = 0;  ///< random placements over which variants are compared; 0: no comparison
   int timings = 0;   ///< repetitions by which every variant is timed at the placement found; 0: none
@@ -67,7 +79,7 @@ void require_valid(const NestConfig& config);
 /// Every field that is not at its default, but the device; the identity of a run.
 [[nodiscard]] std::map<std::string, std::string> describe(const NestConfig& config);
 
-/// "test", "scale", "swarm" or "accuracy".
+/// "test", "scale", "swarm", "layers", "accuracy" or "landscape".
 [[nodiscard]] std::string_view kind_of(const NestConfig& config);
 
 /// "bunny in bunny"; files by their stem.

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <numbers>
 
-#include "body/source.hpp"
 #include "error.hpp"
 #include "nest/exact.hpp"
 #include "nest/scale_search.hpp"
+#include "run/nest_parts.hpp"
 #include "solve/interrupt.hpp"
 #include "stopwatch.hpp"
 
@@ -20,65 +18,27 @@ using Ending = NestResult::Ending;
 
 constexpr double seconds_between_checkpoints = 30;
 
-/// Any mesh will do: it is neither checked nor mended.
-TriangleMesh shape_of(const std::string& model, const std::optional<double>& size, int fineness) {
-  BodySpec spec;
-  spec.model = model;
-  if (fineness > 0) spec.fineness = fineness;
-  TriangleMesh mesh = load_source(spec).mesh;
-  if (size) {
-    const double longest = bounding_box(mesh).extent().maxCoeff();
-    if (!(longest > 0)) throw InputError(fmt::format("{} has no extent; expected a shape to scale", model));
-    for (Vec3& v : mesh.vertices) v *= *size / longest;
-  }
-  return mesh;
-}
-
 nest::Nesting nesting_of(const NestConfig& config) {
-  TriangleMesh outer = shape_of(config.outer, config.outer_size, config.fineness);
-  const bool same = (config.inner.empty() || config.inner == config.outer) && !config.inner_size;
-  TriangleMesh inner =
-      same ? outer
-           : shape_of(config.inner.empty() ? config.outer : config.inner, config.inner_size, config.fineness);
-  return {std::move(outer), std::move(inner)};
-}
-
-Eigen::Matrix3d rotation_of(const Vec3& axis_times_degrees) {
-  const double degrees = axis_times_degrees.norm();
-  if (!(degrees > 0)) return Eigen::Matrix3d::Identity();
-  return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis_times_degrees / degrees).toRotationMatrix();
+  std::vector<TriangleMesh> shapes = shapes_of_run(config);
+  TriangleMesh inner = shapes.back();
+  return {std::move(shapes.front()), std::move(inner)};
 }
 
 nest::Placement placement_of(const NestConfig& config, const nest::Nesting& nesting) {
-  nest::Placement placement;
-  placement.pose.rotation = rotation_of(config.rotation);
-  placement.pose.scale = config.scale.value_or(1);
+  nest::Placement placement = unplaced(config);
   placement.pose.centroid = nesting.to_units(config.centroid.value_or(nesting.outer_centroid()));
   const Vec3 through = config.through ? nesting.to_units(*config.through) : placement.pose.centroid;
-  placement.cut = nest::Cut::through(through, config.plane);
-  if (config.removal) {
-    placement.cut.plus = config.removal->first.normalized();
-    placement.cut.minus = config.removal->second.normalized();
-  }
+  placement.cut.offset = placement.cut.normal.dot(through);
   nest::require_valid(placement);
   return placement;
 }
 
 nest::OptimiseSpec spec_of(const NestConfig& config, const nest::Nesting& nesting,
                            const nest::Placement& given) {
-  nest::OptimiseSpec spec;
-  spec.freedom.set_free(config.free);
+  nest::OptimiseSpec spec = search_of(config);
   spec.freedom.given = given;
-  spec.freedom.up = config.up.normalized();
   for (const nest::KeepOut& ball : config.keep_outs)
     spec.keep_outs.push_back({nesting.to_units(ball.centre), ball.radius / nesting.unit()});
-  spec.variant = config.swarm;
-  spec.test = config.variant;
-  spec.resolution = config.resolution;
-  spec.tolerance = config.tolerance;
-  spec.upper = config.upper;
-  spec.search = config.search;
-  spec.seconds = config.seconds;
   return spec;
 }
 
@@ -97,6 +57,7 @@ class Run {
     const nest::Nesting nesting = nesting_of(config_);
     result_.outer_triangles = nesting.outer().triangles.size();
     result_.inner_triangles = nesting.inner().triangles.size();
+    if (config_.keep_shapes) result_.shapes = shapes_of_run(config_);
     if (config_.accuracy > 0) {
       compare(nesting, device, setup);
       return std::move(result_);
@@ -283,11 +244,15 @@ NestHooks::NestHooks() : interrupted(kreisel::interrupted) {}
 
 std::string_view termination_of(const NestResult& result) {
   if (result.ending == Ending::interrupted) return "interrupted";
-  if (result.accuracy) return "complete";
+  if (result.accuracy || result.landscape) return "complete";
   if (!result.valid) return "infeasible";
   return result.ending == Ending::out_of_time ? "out of time" : "valid";
 }
 
-NestResult run_nest(const NestConfig& config, const NestHooks& hooks) { return Run(config, hooks)(); }
+NestResult run_nest(const NestConfig& config, const NestHooks& hooks) {
+  if (config.layers > 0) return run_layers(config, hooks);
+  if (config.landscape > 0) return run_landscape(config, hooks);
+  return Run(config, hooks)();
+}
 
 }  // namespace kreisel

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "nest/accuracy.hpp"
+#include "nest/landscape.hpp"
+#include "nest/layers.hpp"
 #include "nest/optimise.hpp"
 #include "run/nest_config.hpp"
 #include "run/pipeline.hpp"
@@ -27,6 +29,13 @@ struct NestTiming {
   double test_ms = 0;    ///< of a test at 0.98 of the scale
   double search_ms = 0;  ///< of a search for the largest scale
   double scale = 0;      ///< that it found; 0: none
+};
+
+/// How large the shapes' outlines nest, wherever they are put.
+struct NestLandscape {
+  nest::PlaneShapes outlines;
+  nest::Landscape map;
+  double degrees = 0;  ///< of the best, counter-clockwise
 };
 
 struct NestResult {
@@ -50,9 +59,12 @@ struct NestResult {
   double setup_seconds = 0, search_seconds = 0, certify_seconds = 0;
   std::vector<NestTiming> timings;
   std::optional<nest::Accuracy> accuracy;
+  std::optional<nest::Layers> layers;  ///< what is above is then said of the first; times are those of all
+  std::optional<NestLandscape> landscape;
+  std::vector<TriangleMesh> shapes;  ///< the outermost first, a shape in itself once; where they are kept
 };
 
-/// "valid", "infeasible", "interrupted", "out of time"; of a comparison "complete".
+/// "valid", "infeasible", "interrupted", "out of time"; of a comparison or a landscape "complete".
 [[nodiscard]] std::string_view termination_of(const NestResult& result);
 
 /// What a run tells and asks on its way.

@@ -96,12 +96,12 @@ TEST_F(Design, WritesEveryFormat) {
 }
 
 TEST_F(Design, CutOpenIsStillBalanced) {
-  const BenchAnswer a = design(fmt::format("spin ellipsoid -o {} --json {} --cut auto {}", file("part.stl"),
-                                           file("report.json"), coarse));
+  const BenchAnswer a = design(fmt::format("spin ellipsoid -o {} --json {} --cut auto --pegs 1.5 {}",
+                                           file("part.stl"), file("report.json"), coarse));
   ASSERT_EQ(a.code, 0) << a.out;
   EXPECT_FALSE(fs::exists(file("part.stl"))) << "there are only halves";
   const nlohmann::json j = report();
-  EXPECT_EQ(j.at("files").size(), 2u);
+  EXPECT_EQ(j.at("files").size(), 4u) << "halves and pegs";
   EXPECT_EQ(j.at("cut_by").size(), 1u);
   EXPECT_LE(j.at("constraint_residual").at("centre_of_mass_mm").get<double>(), 0.01);
   EXPECT_LE(j.at("constraint_residual").at("axis_degrees").get<double>(), 0.05);
@@ -111,6 +111,8 @@ TEST_F(Design, CutOpenIsStillBalanced) {
     EXPECT_EQ(shells(mesh).size(), 1u) << "its void is open";
     s += 1e-3 * reference::mesh_moments(mesh).value;
   }
+  for (const char* peg : {"part-peg-1.stl", "part-peg-2.stl"})
+    s += 1e-3 * reference::mesh_moments(read_mesh(file(peg))).value;
   EXPECT_NEAR(s[S1], j.at("after").at("mass_g").get<double>(), 1e-6 * s[S1]);
 }
 
@@ -176,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, DesignMistake,
     ::testing::Values(Mistake{"spin ellipsoid", "--output is required"},
                       Mistake{"spin -o part.stl", "model is required"},
-                      Mistake{"spni ellipsoid -o part.stl", "did you mean 'spin'?"},
+                      Mistake{"sppin ellipsoid -o part.stl", "did you mean 'spin'?"},
                       Mistake{"spin nosuch.stl -o part.stl", "no such file"},
                       Mistake{"spin elipsoid -o part.stl", "did you mean 'ellipsoid'?"},
                       Mistake{"spin ellipsoid -o part.xyz", "expected"},

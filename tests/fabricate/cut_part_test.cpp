@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <span>
 
 #include "body/mesh_moments.hpp"
 #include "error.hpp"
@@ -64,6 +66,36 @@ TEST(CutPart, MakesPiecesOfSeveralPlanes) {
   }
   EXPECT_NEAR(sum, moments(part)[S1], 1e-4);
   EXPECT_EQ(pieces[3].name, "piece-4");
+}
+
+TEST(CutPart, AlignsHalvesByPegs) {
+  Random random(8);
+  const Eigen::Matrix3d turn = random_rotation(random);
+  const MaterialPart part = hollow_box(turn);
+  const Pegs pegs{0.2};
+  const std::vector<MaterialPart> parts = cut_part(part, std::vector{Cut{turn.col(2), 0.4, 0}}, pegs);
+  ASSERT_EQ(parts.size(), 4u);
+  EXPECT_EQ(parts[2].name, "peg-1");
+  double sum = 0;
+  for (const MaterialPart& each : parts) {
+    EXPECT_NO_THROW(require_solid(each.surfaces[0], each.name));
+    EXPECT_TRUE(self_intersections(each.surfaces[0]).empty());
+    sum += moments(each)[S1];
+  }
+  // A 24-sided prism: four holes, of which the two pins leave a little.
+  const double area = 12 * std::sin(2 * std::numbers::pi / 24);
+  const double holes = 4 * area * 0.2 * 0.2 * 0.4, pins = 2 * area * 0.1 * 0.1 * 0.6;
+  EXPECT_NEAR(sum, moments(part)[S1] - holes + pins, 1e-4);
+  EXPECT_NEAR(moments(parts[2])[S1], pins / 2, 1e-12);
+  // The section is a frame, one wide, whose opposite corners are 5.8 apart from middle to middle.
+  EXPECT_GT((centre_of_mass(moments(parts[2])) - centre_of_mass(moments(parts[3]))).norm(), 5);
+}
+
+TEST(CutPart, RefusesPegsThatHaveNoRoom) {
+  const MaterialPart part = hollow_box(Eigen::Matrix3d::Identity());
+  const std::vector<Cut> two = {Cut{Vec3::UnitZ(), 0.1, 0}, Cut{Vec3::UnitX(), 0.1, 0}};
+  EXPECT_THROW((void)cut_part(part, std::span(two).first(1), Pegs{0.4}), InputError);
+  EXPECT_THROW((void)cut_part(part, two, Pegs{0.3}), InputError);
 }
 
 TEST(CutPart, RefusesAPlaneThatMisses) {

@@ -109,12 +109,11 @@ TEST(Radial, FindsEveryCrossing) {
   EXPECT_TRUE(seen.several().empty());
   // From outside every ray crosses twice or not at all.
   seen.see(square(1), {-3, 0.01});
-  std::vector<float> room;
-  const std::span<const float> ahead = seen.crossings(0, room);
+  const std::span<const float> ahead = seen.crossings(0);
   ASSERT_EQ(ahead.size(), 2u);
   EXPECT_FLOAT_EQ(ahead[0], 2);
   EXPECT_FLOAT_EQ(ahead[1], 4);
-  EXPECT_TRUE(seen.crossings(128, room).empty());
+  EXPECT_TRUE(seen.crossings(128).empty());
 }
 
 /// With V of the outer shape at that height.

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/bench/commands.hpp"
+#include "apps/bench/nest_print.hpp"
 #include "apps/shared/outputs.hpp"
 #include "apps/shared/step_line.hpp"
 #include "error.hpp"
@@ -49,6 +50,8 @@ std::string certified_text(const NestResult& result) {
 
 void print(const NestResult& result) {
   if (result.accuracy) return print_accuracy(result);
+  if (result.layers) return print_layers(result);
+  if (result.landscape) return print_landscape(result);
   const NestConfig& config = result.config;
   fmt::print("{}: {} by {}\n", shapes_text(config),
              !config.free.empty() ? config.swarm + " swarm over " + config.free
@@ -93,8 +96,9 @@ int nest_shapes(const NestOptions& options) {
         "swarm = '{}'; expected one of bench's own, the program nest_baseline has those", config.swarm));
   const std::string kept = options.checkpoint_file.empty() ? options.resume_file : options.checkpoint_file;
   if (!kept.empty()) {
-    if (config.free.empty())
-      throw InputError("--checkpoint without --free; expected a search that takes long");
+    if (config.free.empty() || config.layers > 0)
+      throw InputError(
+          "--checkpoint without --free, or with --layers; expected a single search that takes long");
     hooks.keep = [&](const NestCheckpoint& now) { write_checkpoint(kept, now); };
   }
   NestResult result;

@@ -61,6 +61,9 @@ void add_options(CLI::App& app, Parsed& parsed, const Purpose& purpose) {
   app.add_option(
       "--cut", parsed.spec.cut,
       "cut the part: auto (by the planes that open its voids), or a plane NX,NY,NZ,D, N . x = D in mm");
+  app.add_option("--pegs", parsed.spec.peg_radius,
+                 "radius of two loose pins that align the halves of a cut, mm; default none")
+      ->check(CLI::PositiveNumber);
   app.add_option("--drain", parsed.spec.drain_radius,
                  "radius of a hole from every void to the outside, mm; default none")
       ->check(CLI::PositiveNumber);

@@ -80,12 +80,17 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error) {
   std::vector<std::string> extras;
   if (dynamic_cast<const CLI::ExtrasError*>(&error)) extras = used->remaining(true);
   if (extras.empty()) return fmt::format("{} {}", error.what(), help);
-  // What follows an unknown option is unknown, too: the option is the one to name.
+  std::vector<std::string> commands;
+  for (const CLI::App* sub : used->get_subcommands(nullptr)) commands.push_back(sub->get_name());
+  // A misspelt command makes everything else unknown; so does an unknown option of what follows it.
+  const auto command = std::ranges::find_if(
+      extras, [&](const std::string& e) { return !e.starts_with('-') && !nearest(e, commands).empty(); });
   const auto option = std::ranges::find_if(extras, [](const std::string& e) { return e.starts_with('-'); });
-  const std::string& extra = option != extras.end() ? *option : extras.front();
-  std::vector<std::string> names;
+  const std::string& extra = command != extras.end()  ? *command
+                             : option != extras.end() ? *option
+                                                      : extras.front();
+  std::vector<std::string> names = commands;
   for (const CLI::Option* known : used->get_options()) names.push_back(known->get_name());
-  for (const CLI::App* sub : used->get_subcommands(nullptr)) names.push_back(sub->get_name());
   const std::string meant = nearest(extra.substr(0, extra.find('=')), names);
   return fmt::format("'{}' was not expected{}; expected an option or a command {}", extra,
                      meant.empty() ? "" : fmt::format(" (did you mean '{}'?)", meant), help);

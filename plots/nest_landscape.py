@@ -14,8 +14,8 @@ from style import plt
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("record", help="HDF5 record of a landscape")
-    parser.add_argument("-o", "--output", default="landscape.png", help="PNG to write (default %(default)s)")
+    parser.add_argument("records", help="HDF5 record of a landscape, or a folder, of which the finest is drawn")
+    parser.add_argument("-o", "--output", default="nest_landscape.png", help="PNG to write (default %(default)s)")
     return parser.parse_args()
 
 
@@ -30,6 +30,20 @@ def read(path):
     except OSError:
         reason = "no such file" if not pathlib.Path(path).exists() else "not readable as HDF5"
         raise records.BadRecord(f"{path}: {reason}") from None
+
+
+def read_finest(path):
+    path = pathlib.Path(path)
+    if not path.is_dir():
+        return read(path)
+    found = []
+    for file in sorted(path.rglob("*.h5")):
+        with h5py.File(file, "r") as record:
+            if "landscape" in record:
+                found.append(read(file))
+    if not found:
+        raise records.BadRecord(f"{path}: no landscapes (*.h5) in it")
+    return max(found, key=lambda each: each["scale"].size * each["rotations"])
 
 
 def closed(outline):
@@ -49,7 +63,8 @@ def figure(found):
     picture.colorbar(image, ax=axes, label="largest scale over all rotations", shrink=0.85)
     axes.set_title(f"best {scale.max():.4f}, turned by {np.degrees(angle):.2f} degrees")
     degrees = np.where(scale > 0, 360 / found["rotations"] * found["rotation"], np.nan)
-    image = turned.imshow(degrees, origin="lower", extent=extent, cmap="twilight", vmin=0, vmax=360)
+    image = turned.imshow(degrees, origin="lower", extent=extent, cmap="twilight", vmin=0, vmax=360,
+                          interpolation="nearest")  # no colours between 359 and 0 degrees
     picture.colorbar(image, ax=turned, label="rotation that reaches it, degrees", shrink=0.85, ticks=range(0, 361, 90))
     turned.set_title("its rotation")
     for each in (axes, turned):
@@ -69,7 +84,7 @@ def figure(found):
 
 def main():
     args = arguments()
-    records.save(figure(read(args.record)), args.output)
+    records.save(figure(read_finest(args.records)), args.output)
     print(args.output)
 
 

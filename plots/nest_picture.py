@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""A nesting: the outer shape cut open with the inner one in it, taken apart, and a section through all layers.
+"""Nestings: the outer shape cut open with the inner one in it, taken apart, and a section through all layers.
 
-    bench nest --outer bunny --free all --record bunny.h5 --meshes bunny
-    plots/nesting.py bunny.h5 -o bunny.png
+    bench nest --outer bunny --free all --keep-shapes yes --record bunny.h5
+    plots/nest_picture.py bunny.h5 -o bunny.png
 """
 
 import argparse
@@ -13,7 +13,6 @@ import numpy as np
 
 import records
 import style
-from models import read_stl
 from solids import Canvas, Raster, rgb
 from style import plt
 
@@ -24,44 +23,50 @@ PIXELS = 900
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("record", help="HDF5 record of a nesting")
-    parser.add_argument("--meshes", help="folder of 0.stl, 1.stl ... (default: the record's name without .h5)")
-    parser.add_argument("-o", "--output", default="nesting.png", help="PNG to write (default %(default)s)")
+    parser.add_argument("records", help="HDF5 record of a nesting with its shapes (--keep-shapes), or a folder of some")
+    parser.add_argument("-o", "--output", default="nest_picture.png", help="PNG to write (default %(default)s)")
     return parser.parse_args()
 
 
-def read(path, meshes):
-    """The shapes in the outermost one's coordinates, from the outside in, and how each cut runs."""
-    path = pathlib.Path(path)
-    folder = pathlib.Path(meshes) if meshes else path.with_suffix("")
+def moved(corners, rows):
+    return corners @ rows[:, :3].T + rows[:, 3]
+
+
+def read(path):
+    """The shapes in the outermost one's coordinates, from the outside in, and how each cut runs. None: no picture."""
     try:
         with h5py.File(path, "r") as file:
             if file.attrs.get("schema") != "kreisel nesting":
                 raise records.BadRecord(f"{path}: not a record of a nesting")
-            if "error" in file.attrs or not ("placement" in file or "layers" in file):
-                raise records.BadRecord(f"{path}: nothing nests in it, expected a placement")
-            found = {"title": file.attrs["shapes"], "commit": file["provenance"].attrs["commit"],
-                     "config": dict(file["config"].attrs)}
+            if "shapes" not in file or not file.attrs["valid"]:
+                return None
+            meshes = [file[f"shapes/{k}/vertices"][...][file[f"shapes/{k}/triangles"][...]] for k in range(len(file["shapes"]))]
+            found = {"title": file.attrs["shapes"], "commit": file["provenance"].attrs["commit"], "config": dict(file["config"].attrs)}
             if "layers" in file:
                 group = file["layers"]
-                found["cuts"] = [dict(point=p, normal=n, plus=a, minus=b) for p, n, a, b in
-                                 zip(*(group[name][...] for name in
-                                       ("plane_point", "plane_normal", "removal_plus", "removal_minus")))]
-                found["scales"] = group["table"][...][:, list(group["table"].attrs["columns"]).index("ratio")]
+                cuts = zip(*(group[name][...] for name in ("plane_points", "plane_normals", "removal_plus", "removal_minus")))
+                rows = group["transforms"][...].reshape(-1, 3, 4)
+                table = dict(zip(group["table"].attrs["columns"], group["table"][...].T))
+                inner, found["scales"] = table["inner"].astype(int), table["ratio"]
             else:
                 group = file["placement"]
-                found["cuts"] = [dict(point=group["plane_point"][...], normal=group["plane_normal"][...],
-                                      plus=group["removal_plus"][...], minus=group["removal_minus"][...])]
-                found["scales"] = [file.attrs["scale"]]
+                cuts = [[group[name][...] for name in ("plane_point", "plane_normal", "removal_plus", "removal_minus")]]
+                rows, inner, found["scales"] = [group["transform"][...]], [len(meshes) - 1], [file.attrs["scale"]]
+            found["cuts"] = [dict(zip(("point", "normal", "plus", "minus"), cut)) for cut in cuts]
+            found["shapes"] = [meshes[0]] + [moved(meshes[k], row) for k, row in zip(inner, rows)]
+            return found
     except OSError:
-        raise records.BadRecord(f"{path}: not readable as HDF5") from None
-    if not found["cuts"]:
-        raise records.BadRecord(f"{path}: no layer in it, expected one at least")
-    files = [folder / f"{k}.stl" for k in range(len(found["cuts"]) + 1)]
-    for file in files:
-        if not file.is_file():
-            raise records.BadRecord(f"{file}: no such file, expected the meshes that --meshes wrote")
-    return {**found, "shapes": [read_stl(file) for file in files]}
+        reason = "not readable as HDF5" if pathlib.Path(path).exists() else "no such file"
+        raise records.BadRecord(f"{path}: {reason}") from None
+
+
+def read_all(path):
+    path = pathlib.Path(path)
+    files = [path] if not path.is_dir() else [p for p in sorted(path.rglob("*.h5")) if records.is_nesting(p)]
+    found = [each for each in map(read, files) if each]
+    if not found:
+        raise records.BadRecord(f"{path}: no nesting with its shapes, expected one that was found with --keep-shapes yes")
+    return found
 
 
 def unit(v):
@@ -83,7 +88,7 @@ def cut_face(cut, shapes, half):
     """Points of the outer shape's cut, without the hole that the inner one leaves through."""
     normal = unit(cut["normal"])
     across = unit(np.cross(normal, np.eye(3)[np.abs(normal).argmin()]))
-    raster = Raster(cut["point"], across, np.cross(normal, across), shapes[0].reshape(-1, 3), PIXELS)
+    raster = Raster(cut["point"], across, np.cross(normal, across), shapes[0].reshape(-1, 3), 2 * PIXELS)  # finer than the picture: no gaps
     sign = 1 if half == "plus" else -1
     hole = raster.shadow(shapes[1], lambda p: sign * ((p - cut["point"]) @ normal) >= 0, np.asarray(cut[half]))
     return raster.centres(raster.inside(shapes[0]) & ~hole)
@@ -94,7 +99,7 @@ def draw_open(axes, cut, shapes, apart):
     normal, point = unit(cut["normal"]), cut["point"]
     right, up = frame(cut, shapes[0])
     size = np.ptp(shapes[0].reshape(-1, 3) @ normal)
-    lift, half_lift = (0.85 * size * np.asarray(cut["plus"]), 0.42 * size * np.asarray(cut["plus"])) if apart else (0, 0)
+    lift, half_lift = (1.1 * size * np.asarray(cut["plus"]), 0.5 * size * np.asarray(cut["plus"])) if apart else (0, 0)
     lower = lambda p: (p - point) @ normal <= 0  # noqa: E731
     upper = lambda p: (p - lift - point) @ normal >= 0  # noqa: E731
     everything = [shapes[0].reshape(-1, 3)[lower(shapes[0].reshape(-1, 3))], shapes[1].reshape(-1, 3) + half_lift]
@@ -142,31 +147,37 @@ def draw_section(axes, found):
         shown[~inside] = np.nan
         axes.plot(*shown.T, color=style.INK, linewidth=1.0 if k == 0 else 0.6, linestyle=(0, (5, 3)))
     axes.set(aspect="equal")
-    axes.grid(False)
-    axes.set_xlabel("in the cut")
-    axes.set_ylabel("across the cut")
+    axes.axis("off")
 
 
-def figure(found):
+def draw(picture, found, bottom, height):
+    """One nesting in a strip of the figure, whose lower edge and height are parts of it."""
     cut, shapes = found["cuts"][0], found["shapes"]
-    picture = plt.figure(figsize=(11.5, 4.6))
-    panels = [picture.add_axes((left, 0.13, width, 0.75)) for left, width in ((0.01, 0.31), (0.33, 0.31), (0.70, 0.29))]
+    panels = [picture.add_axes((left, bottom + 0.02 * height, width, 0.84 * height))
+              for left, width in ((0.01, 0.31), (0.33, 0.31), (0.69, 0.30))]
     draw_open(panels[0], cut, shapes[:2], apart=False)
-    panels[0].set_title("cut open")
     draw_open(panels[1], cut, shapes[:2], apart=True)
-    panels[1].set_title("taken apart")
     draw_section(panels[2], found)
-    panels[2].set_title(f"section of all {len(shapes)} shapes" if len(shapes) > 2 else "section")
-    scales = ", ".join(f"{s:.3f}" for s in found["scales"][:8]) + (" ..." if len(found["scales"]) > 8 else "")
-    picture.suptitle(f"{found['title']}, scale {scales}", x=0.01, ha="left", fontsize=11, fontweight="bold")
-    asked = ", ".join(f"{k} {v}" for k, v in sorted(found["config"].items()) if k not in ("outer", "inner"))
-    style.caption(picture, f"Dashed: the cut planes where they meet the section. {asked}. Commit {found['commit']}.")
+    scales = ", ".join(f"{s:.3f}" for s in found["scales"][:9]) + (" ..." if len(found["scales"]) > 9 else "")
+    count = f"{len(shapes) - 1} layers: " if len(shapes) > 2 else "scale "
+    picture.text(0.01, bottom + 0.9 * height, f"{found['title']}, {count}{scales}", fontsize=11, fontweight="bold")
+
+
+def figure(all_found):
+    inches = 4.4
+    picture = plt.figure(figsize=(11.5, inches * len(all_found) + 0.4))
+    foot = 0.4 / picture.get_figheight()
+    for row, found in enumerate(reversed(all_found)):
+        draw(picture, found, foot + row * (1 - foot) / len(all_found), (1 - foot) / len(all_found))
+    commits = ", ".join(sorted({found["commit"] for found in all_found}))
+    style.caption(picture, "Cut open; taken apart; a section across the cut through all shapes, dashed: the cuts, each within the "
+                           f"shape it cuts. Commit {commits}.")
     return picture
 
 
 def main():
     args = arguments()
-    records.save(figure(read(args.record, args.meshes)), args.output)
+    records.save(figure(read_all(args.records)), args.output)
     print(args.output)
 
 

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include "run/nest_parts.hpp"
+#include "stopwatch.hpp"
+
+namespace kreisel {
+namespace {
+
+/// What the result says of itself is said of the outermost nesting.
+void describe_first(NestResult& result, const nest::Layer& layer) {
+  result.placed = result.valid = true;
+  result.scale = layer.scale;
+  result.transform = layer.inner_to_world.affine();
+  result.plane_point = layer.cut.offset * layer.cut.normal;
+  result.plane_normal = layer.cut.normal;
+  result.plus = layer.cut.plus;
+  result.minus = layer.cut.minus;
+  nest::CertifiedScale certified;
+  certified.scale = layer.certified_scale;
+  certified.confirmed = layer.certified_scale >= layer.scale;
+  result.certified = certified;
+}
+
+}  // namespace
+
+NestResult run_layers(const NestConfig& config, const NestHooks& hooks) {
+  require_valid(config);
+  NestResult result;
+  result.config = config;
+  const Stopwatch all;
+  device::Device device(config.device);
+  result.provenance = make_provenance(device);
+  std::vector<TriangleMesh> shapes = shapes_of_run(config);
+  result.outer_triangles = shapes.front().triangles.size();
+  result.inner_triangles = shapes[shapes.size() > 1 ? 1 : 0].triangles.size();
+  nest::LayersSpec spec;
+  spec.tolerances = config.tolerances;
+  spec.most = config.layers;
+  spec.cells = config.cells;
+  spec.search = search_of(config);
+  spec.search.freedom.given = unplaced(config);
+  result.layers = nest::nest_layers(shapes, device, spec, [&](int layer, const nest::SearchState& state) {
+    if (hooks.progress)
+      hooks.progress(
+          fmt::format("layer {}, iteration {}, scale {:.4f}", layer, state.trace.size(), state.scale));
+    return !hooks.interrupted();
+  });
+  const nest::Layers& found = *result.layers;
+  result.evaluations = 0;
+  for (const nest::Layer& layer : found.layers) {
+    result.evaluations += layer.evaluations;
+    result.search_seconds += layer.search_seconds;
+    result.certify_seconds += layer.certify_seconds;
+  }
+  result.setup_seconds = all.seconds() - result.search_seconds - result.certify_seconds;
+  result.text =
+      fmt::format("{} layer{}: {}", found.layers.size(), found.layers.size() == 1 ? "" : "s", found.ended);
+  if (!found.layers.empty()) describe_first(result, found.layers.front());
+  if (found.interrupted) result.ending = NestResult::Ending::interrupted;
+  if (config.keep_shapes) result.shapes = std::move(shapes);
+  return result;
+}
+
+}  // namespace kreisel

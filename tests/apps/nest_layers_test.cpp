@@ -1,0 +1,89 @@
+// nest_layers_test.cpp - layers, landscapes and their pictures as a user makes them.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/run_bench.hpp"
+#include "body/test_meshes.hpp"
+#include "mesh/write.hpp"
+#include "record/nest_record.hpp"
+#include "temporary_folder.hpp"
+
+namespace kreisel {
+namespace {
+
+class BenchLayers : public testing::Test {
+ protected:
+  BenchLayers() { write_mesh(folder_.path / "cube.off", {box_mesh({0, 0, 0}, {4, 4, 4})}); }
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_.path / name).string(); }
+  [[nodiscard]] BenchAnswer nest(const std::string& more) const {
+    return bench(fmt::format("nest --outer '{}' {}", file("cube.off"), more));
+  }
+  [[nodiscard]] bool draws(const std::string& script, const std::string& record) const {
+    const BenchAnswer a = shell(fmt::format("/usr/bin/python3 '{}/plots/{}.py' '{}' -o '{}'", KREISEL_SOURCE,
+                                            script, file(record), file("picture.png")));
+    EXPECT_EQ(a.code, 0) << a.out;
+    return std::filesystem::exists(file("picture.png")) && std::filesystem::remove(file("picture.png"));
+  }
+  const TemporaryFolder folder_;
+};
+
+TEST_F(BenchLayers, PutsAShapeIntoItselfWithWallsAndKeepsIt) {
+  const BenchAnswer a = nest(fmt::format(
+      "--outer-size 40 --layers 2 --printer-accuracy 0.5 --wall 1.5 --cells 32 --free "
+      "position,centroid-plane "
+      "--particles 8 --iterations 3 --climb-iterations 15 --keep-shapes yes --json - --record '{}'",
+      file("layers.h5")));
+  ASSERT_EQ(a.code, 0) << a.out;
+  const auto j = nlohmann::json::parse(a.out);
+  ASSERT_EQ(j.at("layers").size(), 2u);
+  EXPECT_EQ(j.at("termination"), "valid");
+  const double first = j.at("layers").at(0).at("longest_mm");
+  EXPECT_LT(first, 36) << "of 40, and 2 on either side";
+  EXPECT_GT(first, 30);
+  for (const auto& layer : j.at("layers")) EXPECT_GE(layer.at("thickness_mm").get<double>(), 1.5);
+  EXPECT_NEAR(j.at("scale").get<double>(), first / 40, 1e-12);
+  const NestSummary record = read_nest(file("layers.h5"));
+  ASSERT_EQ(record.layers.size(), 2u);
+  EXPECT_EQ(record.kind, "layers");
+  EXPECT_EQ(record.layers[1].longest, j.at("layers").at(1).at("longest_mm").get<double>());
+  EXPECT_EQ(record.layers[0].thickness, j.at("layers").at(0).at("thickness_mm").get<double>());
+  EXPECT_TRUE(draws("nest_picture", "layers.h5"));
+}
+
+TEST_F(BenchLayers, MapsHowLargeOutlinesNestAndCertifiesTheBest) {
+  const BenchAnswer a =
+      nest(fmt::format("--landscape 4 --rotations 64 --json - --record '{}'", file("map.h5")));
+  ASSERT_EQ(a.code, 0) << a.out;
+  const auto j = nlohmann::json::parse(a.out);
+  EXPECT_EQ(j.at("termination"), "complete");
+  EXPECT_EQ(j.at("centroids"), nlohmann::json({4, 4}));
+  EXPECT_EQ(j.at("inside"), 16);
+  // The nearest centroids to the middle are an eighth of the side away in x and y.
+  EXPECT_NEAR(j.at("scale").get<double>(), 0.75, 0.005);
+  EXPECT_NEAR(j.at("certified_scale").get<double>(), j.at("scale").get<double>(), 0.005);
+  const NestSummary record = read_nest(file("map.h5"));
+  ASSERT_TRUE(record.landscape);
+  EXPECT_EQ(record.landscape->nx, 4);
+  EXPECT_EQ(record.landscape->inside, 16);
+  EXPECT_EQ(record.landscape->scale, j.at("scale").get<double>());
+  EXPECT_TRUE(draws("nest_landscape", "map.h5"));
+}
+
+TEST_F(BenchLayers, RefusesWhatDoesNotGoTogetherInOneLine) {
+  for (const auto& [arguments, says] :
+       {std::pair{"--layers 2", "layers without free; expected"},
+        std::pair{"--wall 1", "without layers; expected"},
+        std::pair{"--free all --layers 2 --wall -1", "wall = '-1'; expected a number >= 0"},
+        std::pair{"--landscape 4 --free all", "landscape with free or scale; expected"},
+        std::pair{"--landscape 4 --view 0,0,1", "silhouette seen along its up direction"},
+        std::pair{"--keep-shapes maybe", "keep-shapes = 'maybe'; expected yes or no"}}) {
+    const BenchAnswer a = nest(arguments);
+    EXPECT_EQ(a.code, 2) << a.out;
+    EXPECT_NE(a.out.find(says), std::string::npos) << a.out;
+  }
+}
+
+}  // namespace
+}  // namespace kreisel
