@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "apps/run_design.hpp"
 #include "body/mesh_moments.hpp"
