@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -13,15 +12,10 @@
 #include "nest/exact.hpp"
 #include "offset/offset_surface.hpp"
 #include "parallel.hpp"
+#include "stopwatch.hpp"
 
 namespace kreisel::nest {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 double longest_side(const TriangleMesh& mesh) { return bounding_box(mesh).extent().maxCoeff(); }
 
@@ -164,7 +158,7 @@ class Builder {
                       outer.depth * outer_scale, inset));
     const Eigen::Affine3d to_size(Eigen::Scaling(outer_scale));
     const TriangleMesh outside = moved(shapes_[layer.outer], to_size);
-    Clock::time_point start = Clock::now();
+    const Stopwatch offset;
     TriangleMesh space = space_inside(outside, spec_.tolerances, voxel);
     if (space.triangles.empty())
       throw InputError(
@@ -172,7 +166,7 @@ class Builder {
                       "more cells",
                       layer.outer + 1, voxel));
     const Nesting nesting(std::move(space), shapes_[layer.inner]);
-    layer.offset_seconds = seconds_since(start);
+    layer.offset_seconds = offset.seconds();
 
     const OptimiseResult found =
         optimise(nesting, device_, about_centroid(spec_.search, nesting), [&](const SearchState& state) {
@@ -189,10 +183,10 @@ class Builder {
           "the next shape would be at most {:.3g} mm thick, less than the least wall of {:.3g} mm",
           inner_thickness, spec_.tolerances.wall));
 
-    start = Clock::now();
+    const Stopwatch certify;
     Exact exact(nesting);
     layer.certified_scale = certify_scale(exact, *found.best, spec_.search.tolerance).scale;
-    layer.certify_seconds = seconds_since(start);
+    layer.certify_seconds = certify.seconds();
 
     const Eigen::Affine3d inner_to_outer = affine(nesting.transform(found.best->pose));
     const Eigen::Affine3d to_world = outer_to_world * to_size.inverse();

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,17 +14,12 @@
 #include "run/run_domain.hpp"
 #include "solve/distance_to_rows.hpp"
 #include "solve/interrupt.hpp"
+#include "stopwatch.hpp"
 
 namespace kreisel {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /// A step through n things in a circle that visits all, so that any number of steps spreads evenly.
 std::size_t even_step(std::size_t n) {
@@ -175,7 +169,7 @@ OrientationMap map_orientations(const MapSpec& spec, const Progress& progress) {
   const auto tell = [&](const std::string& step) {
     if (progress) progress(step);
   };
-  const auto begin = Clock::now();
+  const Stopwatch setup;
   const ProblemEntry& asked = find_problem(spec.config.problem);
   if (asked.name != "spin" && asked.name != "float")
     throw InputError(fmt::format("a map of {}; expected the problem spin or float", asked.name));
@@ -223,20 +217,20 @@ OrientationMap map_orientations(const MapSpec& spec, const Progress& progress) {
   map.grid = domain.grid();
   map.wall = domain.wall();
   map.rays = rays.columns.size();
-  map.setup_seconds = seconds_since(begin);
+  map.setup_seconds = setup.seconds();
 
-  const auto start = Clock::now();
+  const Stopwatch sweeping;
   const Sweep sweep{solver, options, *formulation, mass, device, body.frame.length};
   const std::size_t n = spec.axes.size(), step = even_step(n);
   std::vector<std::vector<MapAnswer>> answers(n);  // empty: not done
   std::vector<Vec3> contacts(n);
   ProblemSettings settings = settings_of(map.config, "problem");
   Body turned = body;
-  auto told = Clock::now();
+  Stopwatch told;
   for (std::size_t k = 0; k < n && !interrupted(); ++k) {
-    if (k == 0 || seconds_since(told) > 0.1) {
+    if (k == 0 || told.seconds() > 0.1) {
       tell(fmt::format("axis {} of {}", k + 1, n));
-      told = Clock::now();
+      told = {};
     }
     const std::size_t i = k * step % n;
     contacts[i] = contact_of(body, spec.axes[i], spec.through);
@@ -259,7 +253,7 @@ OrientationMap map_orientations(const MapSpec& spec, const Progress& progress) {
     map.contacts.push_back(contacts[i]);
     std::ranges::move(answers[i], std::back_inserter(map.answers));
   }
-  map.sweep_seconds = seconds_since(start);
+  map.sweep_seconds = sweeping.seconds();
   return map;
 }
 
