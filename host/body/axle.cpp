@@ -6,26 +6,17 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <utility>
 
 #include "error.hpp"
 #include "mesh/cut_plane.hpp"
 #include "mesh/distance.hpp"
+#include "mesh/prism.hpp"
 
 namespace kreisel {
 namespace {
 
 constexpr int sides = 48;  // of a circle as a polygon: its area is 0.3 % less
-
-std::vector<Point2> polygon_of(double radius) {
-  std::vector<Point2> polygon;
-  for (int i = 0; i < sides; ++i) {
-    const double angle = 2 * std::numbers::pi * i / sides;
-    polygon.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-  }
-  return polygon;
-}
 
 TriangleMesh mirrored(TriangleMesh mesh) {
   for (Vec3& v : mesh.vertices) v[2] = -v[2];
@@ -76,7 +67,7 @@ TriangleMesh halves(const TriangleMesh& solid, const Axle& axle) {
                     "which comes as near as "
                     "{:.3g} mm to its axis; expected a thinner or shorter one",
                     axle.radius, axle.depth, std::max(room, 0.0)));
-  const BlindHole hole{polygon_of(axle.radius), axle.depth};
+  const BlindHole hole{circle({0, 0}, axle.radius, sides), axle.depth};
   TriangleMesh both = above_plane(solid, mouth, hole);
   append(both, mirrored(above_plane(mirrored(solid), mouth, hole)));
   return both;
@@ -84,19 +75,7 @@ TriangleMesh halves(const TriangleMesh& solid, const Axle& axle) {
 
 TriangleMesh axle_mesh(const Axle& axle) {
   const double end = axle.slot / 2 + axle.depth;
-  TriangleMesh mesh;
-  for (const double z : {-end, end})
-    for (const Point2& p : polygon_of(axle.radius)) mesh.vertices.emplace_back(p[0], p[1], z);
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    const std::uint32_t j = (i + 1) % sides;
-    mesh.triangles.push_back({i, j, sides + j});
-    mesh.triangles.push_back({i, sides + j, sides + i});
-  }
-  for (std::uint32_t i = 1; i + 1 < sides; ++i) {
-    mesh.triangles.push_back({0, i + 1, i});
-    mesh.triangles.push_back({sides, sides + i, sides + i + 1});
-  }
-  return mesh;
+  return prism(circle({0, 0}, axle.radius, sides), -end, end);
 }
 
 TriangleMesh half_of(const TriangleMesh& mesh, bool upper) {

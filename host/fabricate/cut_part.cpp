@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "error.hpp"
 #include "mesh/cut_plane.hpp"
 #include "mesh/distance.hpp"
 #include "mesh/encode.hpp"
+#include "mesh/prism.hpp"
 #include "mesh/repair.hpp"
 
 namespace kreisel {
@@ -49,15 +49,7 @@ struct Level {
   }
 };
 
-std::vector<Point2> circle(const Point2& centre, double radius) {
-  constexpr int sides = 24;
-  std::vector<Point2> polygon;
-  for (int i = 0; i < sides; ++i) {
-    const double angle = 2 * std::numbers::pi * i / sides;
-    polygon.push_back({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)});
-  }
-  return polygon;
-}
+constexpr int sides = 24;  // of a peg
 
 /// How far a point is inside the material, up to a limit; negative outside. By the triangle nearest to it,
 /// which misjudges sides only near sharp edges.
@@ -109,7 +101,7 @@ std::pair<TriangleMesh, TriangleMesh> split(const Level& level, const std::vecto
     const Eigen::Matrix3d turn = over * level.rotation;
     std::vector<BlindHole> holes;
     for (const Point2& at : pegs_at)
-      holes.push_back({circle({at[0], above ? at[1] : -at[1]}, pegs.radius), pegs.depth()});
+      holes.push_back({circle({at[0], above ? at[1] : -at[1]}, pegs.radius, sides), pegs.depth()});
     TriangleMesh mesh =
         above_plane(turned(level.mesh, over), above ? level.height : -level.height, holes,
                     [&](const Vec3& v) -> Vec3 { return turn * in_single_precision(turn.transpose() * v); });
@@ -124,21 +116,8 @@ std::pair<TriangleMesh, TriangleMesh> split(const Level& level, const std::vecto
 /// A pin where it belongs, model coordinates.
 TriangleMesh pin(const Level& level, const Point2& at, const Pegs& pegs) {
   const double radius = pegs.radius - Pegs::clearance, end = pegs.depth() - Pegs::clearance;
-  TriangleMesh mesh;
-  const std::vector<Point2> polygon = circle(at, radius);
-  const auto sides = static_cast<std::uint32_t>(polygon.size());
-  for (const double z : {level.height - end, level.height + end})
-    for (const Point2& p : polygon) mesh.vertices.emplace_back(p[0], p[1], z);
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    const std::uint32_t j = (i + 1) % sides;
-    mesh.triangles.push_back({i, j, sides + j});
-    mesh.triangles.push_back({i, sides + j, sides + i});
-  }
-  for (std::uint32_t i = 1; i + 1 < sides; ++i) {
-    mesh.triangles.push_back({0, i + 1, i});
-    mesh.triangles.push_back({sides, sides + i, sides + i + 1});
-  }
-  return turned(std::move(mesh), level.rotation.transpose());
+  return turned(prism(circle(at, radius, sides), level.height - end, level.height + end),
+                level.rotation.transpose());
 }
 
 }  // namespace
