@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "apps/installed.hpp"
 #include "apps/run_bench.hpp"
 #include "body/test_meshes.hpp"
 #include "mesh/write.hpp"
@@ -62,7 +63,7 @@ TEST_F(BenchNest, WritesARecordThatH5pyReadsAndShowPrints) {
   const BenchAnswer shown = bench("show '" + record + "'");
   EXPECT_EQ(shown.code, 0) << shown.out;
   EXPECT_NE(shown.out.find("free=position,removal"), std::string::npos) << shown.out;
-  if (shell("/usr/bin/python3 -c 'import h5py, numpy'").code != 0) GTEST_SKIP() << "h5py is not installed";
+  KREISEL_NEEDS(shell("/usr/bin/python3 -c 'import h5py, numpy'").code == 0, "h5py");
   const BenchAnswer read =
       shell(fmt::format("/usr/bin/python3 '{}/tests/record/nest_h5py_test.py' '{}'", KREISEL_SOURCE, record));
   EXPECT_EQ(read.code, 0) << read.out;

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <regex>
 
+#include "apps/installed.hpp"
 #include "apps/run_design.hpp"
 #include "temporary_folder.hpp"
 
@@ -17,8 +18,7 @@ namespace {
 class Page : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists("/usr/share/javascript/three/three.min.js"))
-      GTEST_SKIP() << "libjs-three is not installed";
+    KREISEL_NEEDS(std::filesystem::exists("/usr/share/javascript/three/three.min.js"), "libjs-three");
     const BenchAnswer a = design(
         fmt::format("spin ellipsoid -o {0}/part.stl --html {0}/page.html --resolution 40 --fineness 24",
                     folder_.path.string()));
@@ -41,7 +41,7 @@ TEST_F(Page, NeedsNothingButItself) {
 }
 
 TEST_F(Page, ShowsThePartAndCutsItOpen) {
-  if (std::system("command -v chromium > /dev/null 2>&1") != 0) GTEST_SKIP() << "chromium is not installed";
+  KREISEL_NEEDS(installed("chromium"), "chromium");
   const auto opened = [&](const char* cut) {
     return shell(
                fmt::format("timeout 300 chromium --headless --no-sandbox --use-angle=swiftshader "

@@ -1,0 +1,25 @@
+// installed.hpp - programs of others that tests look at results with.
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+namespace kreisel {
+
+inline bool installed(const std::string& program) {
+  return std::system(fmt::format("command -v '{}' > /dev/null 2>&1", program).c_str()) == 0;
+}
+
+}  // namespace kreisel
+
+/// Ends a test for which something is missing: skipped on a developer's machine, failed where KREISEL_CI is
+/// set, for `setup.sh --ci` has installed all of it. A macro, because only the test itself can return.
+#define KREISEL_NEEDS(there, what)                                                       \
+  do {                                                                                   \
+    if (there) break;                                                                    \
+    if (std::getenv("KREISEL_CI")) FAIL() << (what) << " is missing, which CI installs"; \
+    GTEST_SKIP() << (what) << " is not installed";                                       \
+  } while (false)
