@@ -93,24 +93,21 @@ std::vector<Point2> places(const Level& level, const Pegs& pegs) {
   return apart(one, other) > 4 * pegs.radius ? std::vector{one, other} : std::vector{one};
 }
 
-/// Above and below, in single precision; empty where there is nothing.
-std::pair<TriangleMesh, TriangleMesh> split(const Level& level, const std::vector<Point2>& pegs_at,
-                                            const Pegs& pegs) {
-  const auto half = [&](bool above) {
-    const Eigen::Matrix3d over = above ? Vec3(1, 1, 1).asDiagonal() : Vec3(1, -1, -1).asDiagonal();
-    const Eigen::Matrix3d turn = over * level.rotation;
-    std::vector<BlindHole> holes;
-    for (const Point2& at : pegs_at)
-      holes.push_back({circle({at[0], above ? at[1] : -at[1]}, pegs.radius, sides), pegs.depth()});
-    TriangleMesh mesh =
-        above_plane(turned(level.mesh, over), above ? level.height : -level.height, holes,
-                    [&](const Vec3& v) -> Vec3 { return turn * in_single_precision(turn.transpose() * v); });
-    mesh = turned(std::move(mesh), turn.transpose());
-    for (Vec3& v : mesh.vertices) v = in_single_precision(v);  // there and back is round-off off
-    RepairReport ignored;
-    return mesh.triangles.empty() ? mesh : repaired(std::move(mesh), ignored);
-  };
-  return {half(true), half(false)};
+/// What of a solid lies above or below the plane, in single precision; empty where there is nothing.
+TriangleMesh half_of(const TriangleMesh& solid, bool above, const Level& level,
+                     const std::vector<Point2>& pegs_at, const Pegs& pegs) {
+  const Eigen::Matrix3d over = above ? Vec3(1, 1, 1).asDiagonal() : Vec3(1, -1, -1).asDiagonal();
+  const Eigen::Matrix3d turn = over * level.rotation;
+  std::vector<BlindHole> holes;
+  for (const Point2& at : pegs_at)
+    holes.push_back({circle({at[0], above ? at[1] : -at[1]}, pegs.radius, sides), pegs.depth()});
+  TriangleMesh mesh =
+      above_plane(turned(solid, turn), above ? level.height : -level.height, holes,
+                  [&](const Vec3& v) -> Vec3 { return turn * in_single_precision(turn.transpose() * v); });
+  mesh = turned(std::move(mesh), turn.transpose());
+  for (Vec3& v : mesh.vertices) v = in_single_precision(v);  // there and back is round-off off
+  RepairReport ignored;
+  return mesh.triangles.empty() ? mesh : repaired(std::move(mesh), ignored);
 }
 
 /// A pin where it belongs, model coordinates.
@@ -120,32 +117,48 @@ TriangleMesh pin(const Level& level, const Point2& at, const Pegs& pegs) {
                 level.rotation.transpose());
 }
 
+void add_pins(std::vector<MaterialPart>& pins, const Level& level, const std::vector<Point2>& at,
+              const Pegs& pegs, double density) {
+  for (const Point2& p : at)
+    pins.push_back({fmt::format("peg-{}", pins.size() + 1), density, {pin(level, p, pegs)}});
+}
+
+TriangleMesh in_single_precision(TriangleMesh mesh) {
+  for (Vec3& v : mesh.vertices) v = in_single_precision(v);
+  return mesh;
+}
+
+[[noreturn]] void refuse_plane_that_misses(const Cut& plane) {
+  throw InputError(
+      fmt::format("the plane {:.4g},{:.4g},{:.4g} . x = {:.4g} misses the part; expected one "
+                  "that cuts it",
+                  plane.normal[0], plane.normal[1], plane.normal[2], plane.offset));
+}
+
+void require_pegs_fit(const Pegs& pegs, std::size_t planes) {
+  if (pegs.radius > 0 && (planes != 1 || pegs.radius <= Pegs::clearance))
+    throw InputError(
+        fmt::format("pegs of {:.3g} mm radius and {} planes; expected one plane, and more than {} mm",
+                    pegs.radius, planes, Pegs::clearance));
+}
+
 }  // namespace
 
 std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Cut> planes, const Pegs& pegs) {
-  if (pegs.radius > 0 && (planes.size() != 1 || pegs.radius <= Pegs::clearance))
-    throw InputError(
-        fmt::format("pegs of {:.3g} mm radius and {} planes; expected one plane, and more than {} mm",
-                    pegs.radius, planes.size(), Pegs::clearance));
-  std::vector<TriangleMesh> pieces = {joined(part.surfaces, part.name)};
-  for (Vec3& v : pieces[0].vertices) v = in_single_precision(v);
+  require_pegs_fit(pegs, planes.size());
+  std::vector<TriangleMesh> pieces = {in_single_precision(joined(part.surfaces, part.name))};
   std::vector<MaterialPart> pins;
   for (const Cut& plane : planes) {
     std::vector<TriangleMesh> next;
     for (const TriangleMesh& piece : pieces) {
       const Level level(piece, plane);
       const std::vector<Point2> at = pegs.radius > 0 ? places(level, pegs) : std::vector<Point2>{};
-      auto [above, below] = split(level, at, pegs);
-      for (TriangleMesh* half : {&above, &below})
-        if (!half->triangles.empty()) next.push_back(std::move(*half));
-      for (const Point2& p : at)
-        pins.push_back({fmt::format("peg-{}", pins.size() + 1), part.density, {pin(level, p, pegs)}});
+      for (const bool above : {true, false})
+        if (TriangleMesh half = half_of(piece, above, level, at, pegs); !half.triangles.empty())
+          next.push_back(std::move(half));
+      add_pins(pins, level, at, pegs, part.density);
     }
-    if (next.size() == pieces.size())
-      throw InputError(
-          fmt::format("the plane {:.4g},{:.4g},{:.4g} . x = {:.4g} misses the part; expected one "
-                      "that cuts it",
-                      plane.normal[0], plane.normal[1], plane.normal[2], plane.offset));
+    if (next.size() == pieces.size()) refuse_plane_that_misses(plane);
     pieces = std::move(next);
   }
   std::vector<MaterialPart> parts;
@@ -153,6 +166,26 @@ std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Cut
     parts.push_back({pieces.size() == 2 ? (i == 0 ? "upper" : "lower") : fmt::format("piece-{}", i + 1),
                      part.density,
                      {std::move(pieces[i])}});
+  for (MaterialPart& peg : pins) parts.push_back(std::move(peg));
+  return parts;
+}
+
+std::vector<MaterialPart> cut_in_halves(const TriangleMesh& solid, const HalfVoids& voids, const Cut& plane,
+                                        double density, const Pegs& pegs) {
+  require_pegs_fit(pegs, 1);
+  // The plane, and room for pegs, by both voids.
+  const Level level(in_single_precision(joined({solid, voids.upper, voids.lower}, "solid")), plane);
+  const std::vector<Point2> at = pegs.radius > 0 ? places(level, pegs) : std::vector<Point2>{};
+  std::vector<MaterialPart> parts;
+  for (const bool above : {true, false}) {
+    const char* name = above ? "upper" : "lower";
+    const TriangleMesh whole = in_single_precision(joined({solid, above ? voids.upper : voids.lower}, name));
+    TriangleMesh half = half_of(whole, above, level, at, pegs);
+    if (half.triangles.empty()) refuse_plane_that_misses(plane);
+    parts.push_back({name, density, {std::move(half)}});
+  }
+  std::vector<MaterialPart> pins;
+  add_pins(pins, level, at, pegs, density);
   for (MaterialPart& peg : pins) parts.push_back(std::move(peg));
   return parts;
 }

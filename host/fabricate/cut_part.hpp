@@ -29,4 +29,19 @@ struct Pegs {
 [[nodiscard]] std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Cut> planes,
                                                  const Pegs& pegs = {});
 
+/// What each half of a solid has to leave free: closed surfaces that go on beyond the plane, normals into the
+/// void; either may be empty.
+struct HalfVoids {
+  TriangleMesh upper, lower;
+};
+
+/// The upper and the lower half of a solid, each without a void of its own, and pegs; otherwise as
+/// cut_part().
+///
+/// @param solid  model coordinates, mm; free of voids, as long as those keep within it on their side
+/// @throws InputError  a plane that misses the solid, no room for a peg
+[[nodiscard]] std::vector<MaterialPart> cut_in_halves(const TriangleMesh& solid, const HalfVoids& voids,
+                                                      const Cut& plane, double density,
+                                                      const Pegs& pegs = {});
+
 }  // namespace kreisel

@@ -15,24 +15,24 @@
 
 namespace kreisel {
 
+std::filesystem::path file_of_part(const std::filesystem::path& path, std::string_view name) {
+  if (mesh_format(path).encode_objects || name == "part" || name == "shell") return path;
+  return path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), name, path.extension().string());
+}
+
 std::vector<WrittenMaterial> write_parts(const std::filesystem::path& path,
                                          const std::vector<MaterialPart>& parts) {
   std::vector<WrittenMaterial> written;
   std::vector<MeshObject> objects;
   for (const MaterialPart& part : parts) {
     objects.push_back({fmt::format("{}, {} g/cm^3", part.name, part.density), part.surfaces});
-    written.push_back({part.name, part.density, path, 0, 0});
+    written.push_back({part.name, part.density, file_of_part(path, part.name), 0, 0});
   }
   if (mesh_format(path).encode_objects) {
     write_objects(path, objects);
     return written;
   }
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].name != "part" && parts[i].name != "shell")
-      written[i].file = path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), parts[i].name,
-                                                         path.extension().string());
-    write_mesh(written[i].file, parts[i].surfaces);
-  }
+  for (std::size_t i = 0; i < parts.size(); ++i) write_mesh(written[i].file, parts[i].surfaces);
   return written;
 }
 

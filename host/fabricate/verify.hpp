@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fabricate/parts.hpp"
@@ -31,6 +32,9 @@ struct WrittenPart {
 /// @throws InputError  see write_mesh()
 [[nodiscard]] std::vector<WrittenMaterial> write_parts(const std::filesystem::path& path,
                                                        const std::vector<MaterialPart>& parts);
+
+/// Where a part of that name goes. @throws InputError  no mesh format
+[[nodiscard]] std::filesystem::path file_of_part(const std::filesystem::path& path, std::string_view name);
 
 /// Reads the files again, checks that each is a watertight, oriented solid, integrates its moments on the
 /// host in double (not by the kernels that made it), adds them up by their densities and asks the problem for

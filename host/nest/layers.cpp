@@ -217,27 +217,38 @@ Layers nest_layers(const std::vector<TriangleMesh>& shapes, device::Device& devi
 }
 
 double clearance(const TriangleMesh& outer, const TriangleMesh& inner, const Cut& cut, double step) {
+  return std::min(clearance_of_half(outer, inner, cut, 0, step),
+                  clearance_of_half(outer, inner, cut, 1, step));
+}
+
+double clearance_of_half(const TriangleMesh& outer, const TriangleMesh& inner, const Cut& cut, int half,
+                         double step) {
   const SurfaceDistance distance(outer);
-  const double far = 2 * bounding_box(outer).extent().norm() + bounding_box(inner).extent().norm();
+  const Vec3& removal = cut.removal(half);
+  const double across = std::abs(cut.normal.dot(removal));
   constexpr std::size_t block = 256;
-  std::vector<double> least((inner.vertices.size() + block - 1) / block, far);
-  parallel_for(least.size(), [&](std::size_t b) {
-    const std::size_t end = std::min(inner.vertices.size(), (b + 1) * block);
-    for (std::size_t i = b * block; i < end; ++i) {
-      const Vec3& from = inner.vertices[i];
-      const int half = cut.beyond(0, from) >= 0 ? 0 : 1;
-      const Vec3& removal = cut.removal(half);
-      const double way = cut.beyond(half, from) / std::abs(cut.normal.dot(removal));
-      for (double t = 0;;) {
-        // No farther than is worth knowing: distances to far surfaces are dear.
-        const double d = distance(from - std::min(t, way) * removal, std::min(far, least[b] + 8 * step));
-        least[b] = std::min(least[b], d);
-        if (t >= way) break;
-        t += std::max(step, d - least[b]);  // nothing on the next d - least can be nearer than the least
-      }
+  std::vector<double> least((inner.vertices.size() + block - 1) / block);
+  // Of each block of vertices, none farther than is known already: distances to far surfaces are dear.
+  const auto least_of_all = [&](double known, auto&& of_vertex) {
+    parallel_for(least.size(), [&](std::size_t b) {
+      least[b] = known;
+      const std::size_t end = std::min(inner.vertices.size(), (b + 1) * block);
+      for (std::size_t i = b * block; i < end; ++i) of_vertex(inner.vertices[i], least[b]);
+    });
+    return *std::ranges::min_element(least);
+  };
+  const double far = 2 * bounding_box(outer).extent().norm() + bounding_box(inner).extent().norm();
+  const double at_rest = least_of_all(
+      far, [&](const Vec3& v, double& so_far) { so_far = std::min(so_far, distance(v, so_far)); });
+  return least_of_all(at_rest, [&](const Vec3& v, double& so_far) {
+    const double way = cut.beyond(half, v) / across;
+    for (double t = 0; t < way;) {
+      const double d = distance(v - t * removal, so_far + 4 * step);
+      so_far = std::min(so_far, d);
+      t += std::max(step, d - so_far);  // nothing on the next d - least can be nearer than the least
     }
+    if (way > 0) so_far = std::min(so_far, distance(v - way * removal, so_far));
   });
-  return *std::ranges::min_element(least);
 }
 
 }  // namespace kreisel::nest

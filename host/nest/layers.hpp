@@ -75,4 +75,8 @@ using OnLayerIteration = std::function<bool(int layer, const SearchState& state)
 [[nodiscard]] double clearance(const TriangleMesh& outer, const TriangleMesh& inner, const Cut& cut,
                                double step);
 
+/// The same of one half: the part of `inner` on its side on its way, the rest where it is.
+[[nodiscard]] double clearance_of_half(const TriangleMesh& outer, const TriangleMesh& inner, const Cut& cut,
+                                       int half, double step);
+
 }  // namespace kreisel::nest

@@ -104,5 +104,34 @@ TEST(CutPart, RefusesAPlaneThatMisses) {
       InputError);
 }
 
+TEST(CutInHalves, LeavesEachHalfItsOwnVoid) {
+  Random random(9);
+  const Eigen::Matrix3d turn = random_rotation(random);
+  const auto box = [&](const Vec3& lo, const Vec3& hi) {
+    return moved(box_mesh(lo, hi), turn, Vec3::Zero());
+  };
+  const double at = 0.4;
+  // That of the upper half goes on beneath the cut, where it is none of the lower half's business.
+  const HalfVoids voids{inverted(box({-1, -1, at - 0.2}, {1, 1, 2})),
+                        inverted(box({-0.5, -2, -3}, {0.5, 2, at + 0.1}))};
+  const Pegs pegs{0.2};
+  const std::vector<MaterialPart> parts =
+      cut_in_halves(box({-2, -3, -4}, {2, 3, 4}), voids, {turn.col(2), at, 0}, 2, pegs);
+  ASSERT_EQ(parts.size(), 4u);
+  for (const MaterialPart& each : parts) {
+    EXPECT_NO_THROW(require_solid(each.surfaces[0], each.name));
+    EXPECT_TRUE(self_intersections(each.surfaces[0]).empty());
+  }
+  // A hole is a prism of 24 sides; the plane may move by a thousandth of the size.
+  const double hole = 12 * std::sin(std::numbers::pi / 12) * 0.2 * 0.2 * pegs.depth();
+  EXPECT_NEAR(moments(parts[0])[S1], 24 * (4 - at) - 4 * (2 - at) - 2 * hole, 20 * 1e-3 * 10.8);
+  EXPECT_NEAR(moments(parts[1])[S1], 24 * (4 + at) - 4 * (3 + at) - 2 * hole, 20 * 1e-3 * 10.8);
+}
+
+TEST(CutInHalves, RefusesAPlaneThatMisses) {
+  const TriangleMesh solid = box_mesh(Vec3::Zero(), Vec3::Ones());
+  EXPECT_THROW((void)cut_in_halves(solid, {}, {Vec3::UnitZ(), 2, 0}, 1), InputError);
+}
+
 }  // namespace
 }  // namespace kreisel

@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/bench/commands.hpp"
-#include "apps/bench/nest_options.hpp"
 #include "apps/bench/simulate_options.hpp"
+#include "apps/shared/nest_options.hpp"
 #include "apps/shared/outputs.hpp"
 #include "apps/shared/program.hpp"
 #include "apps/shared/run_options.hpp"
@@ -69,7 +69,7 @@ void add_map_options(CLI::App& app, Parsed& parsed) {
 }
 
 void add_nest_options(CLI::App& app, NestOptions& nest) {
-  add_nest_fields(app, nest.given);
+  kreisel::apps::add_nest_fields(app, nest.given);
   app.add_option("--json", nest.json_file, "write the answer as JSON; - for standard output");
   app.add_option("--record", nest.record_file, "write the whole run as HDF5");
   app.add_option("--checkpoint", nest.checkpoint_file,

@@ -2,19 +2,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <string>
 
+#include "apps/design/nest.hpp"
+#include "apps/design/outputs.hpp"
 #include "apps/design/print.hpp"
 #include "apps/shared/exit_code.hpp"
-#include "apps/shared/outputs.hpp"
 #include "apps/shared/program.hpp"
 #include "apps/shared/run_options.hpp"
 #include "apps/shared/step_line.hpp"
 #include "design/page.hpp"
 #include "error.hpp"
 #include "file/write_text.hpp"
-#include "mesh/format.hpp"
 #include "run/build_info.hpp"
 
 namespace {
@@ -38,15 +37,14 @@ const Purpose purposes[] = {
 struct Parsed {
   RunOptions run;
   kreisel::DesignSpec spec;
-  std::string output, json_file, html_file;
-  bool force = false;
+  DesignOutputs outputs;
+  NestArguments nest;
 };
 
 void add_options(CLI::App& app, Parsed& parsed, const Purpose& purpose) {
   RunOptions& run = parsed.run;
   run.add(app, {"model"});
-  app.add_option("-o,--output", parsed.output, "the part: .stl, .3mf (with units), .obj, .ply or .off, mm")
-      ->required();
+  parsed.outputs.add(app, "the part");
   run.add(app, purpose.fields);
   run.add(app, "--wall", "wall", "least wall: mm, or 2% (of the longest side, the default), or 1.5h (cells)");
   run.add(app, {"unit", "size", "density", "interior-density", "void-density", "fineness", "device"});
@@ -67,21 +65,6 @@ void add_options(CLI::App& app, Parsed& parsed, const Purpose& purpose) {
   app.add_option("--drain", parsed.spec.drain_radius,
                  "radius of a hole from every void to the outside, mm; default none")
       ->check(CLI::PositiveNumber);
-  app.add_option("--json", parsed.json_file, "write a report as JSON; - for standard output");
-  app.add_option("--html", parsed.html_file,
-                 "write a page with a view of it, a cut to move, and the numbers");
-  app.add_flag("--force", parsed.force, "write over files that exist");
-}
-
-void require_writable(const Parsed& parsed) {
-  (void)kreisel::mesh_format(parsed.output);
-  for (const auto& [file, option] :
-       {std::pair{parsed.output, "--output"}, std::pair{parsed.json_file, "--json"},
-        std::pair{parsed.html_file, "--html"}}) {
-    kreisel::apps::require_writable(file, option);
-    if (!parsed.force && !file.empty() && file != "-" && std::filesystem::exists(file))
-      throw InputError(fmt::format("{} {} exists; expected a new name, or --force", option, file));
-  }
 }
 
 int make(Parsed& parsed, const std::string& problem) {
@@ -91,33 +74,30 @@ int make(Parsed& parsed, const std::string& problem) {
   config.grid.resolution = 128;
   config.wall = kreisel::parse_wall("2%");
   parsed.run.apply(config);
-  require_writable(parsed);
-  const std::string three = parsed.html_file.empty() ? "" : kreisel::installed_three();
-  parsed.spec.file = parsed.output;
+  const DesignOutputs& outputs = parsed.outputs;
+  outputs.require_writable();
+  const std::string three = outputs.html.empty() ? "" : kreisel::installed_three();
+  parsed.spec.file = outputs.part;
   const kreisel::Design design = [&] {
     const StepLine line;
     return make_design(parsed.spec, [&](const std::string& step) { line.show(step); });
   }();
-  if (!parsed.html_file.empty() && design.feasible())
-    kreisel::write_text(parsed.html_file, page_of(design, three));
-  const std::string json = to_json(design);
-  if (parsed.json_file == "-") {
-    fmt::print("{}", json);  // alone on standard output, for a pipe
-  } else {
-    if (!parsed.json_file.empty()) kreisel::write_text(parsed.json_file, json);
-    print_design(design);
-  }
+  if (!outputs.html.empty() && design.feasible()) kreisel::write_text(outputs.html, page_of(design, three));
+  if (outputs.write_report(to_json(design))) print_design(design);
   return exit_code(design.run.outcome.termination);
 }
 
 int dispatch(int argc, char** argv) {
-  CLI::App app("Kreisel: a mesh in, a printable part out that spins, stands or floats", "design");
+  CLI::App app("Kreisel: a mesh in, a printable part out that spins, stands, floats or nests", "design");
   app.set_version_flag(
       "--version", fmt::format("kreisel {} ({})", kreisel::build_info::version, kreisel::build_info::commit));
   app.require_subcommand(0, 1);
   Parsed parsed;
   for (const Purpose& purpose : purposes)
     add_options(*app.add_subcommand(purpose.problem, purpose.help), parsed, purpose);
+  CLI::App* nested =
+      app.add_subcommand("nest", "a nested doll: halves that come apart, around shapes as large as fit");
+  add_nest_options(*nested, parsed.nest);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -128,6 +108,7 @@ int dispatch(int argc, char** argv) {
     fmt::print("{}", app.help());
     return done;
   }
+  if (*nested) return nest_parts(parsed.nest);
   return make(parsed, app.get_subcommands().front()->get_name());
 }
 

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "apps/bench/nest_options.hpp"
+#include "apps/shared/nest_options.hpp"
 #include "baselines/pagmo.hpp"
 #include "error.hpp"
 #include "record/nest_record.hpp"
@@ -22,7 +22,7 @@ int run(int argc, char** argv) {
   CLI::App app("The largest nesting by a search of pagmo2", "nest_baseline");
   std::vector<std::pair<std::string, std::string>> given;
   std::string record;
-  bench::add_nest_fields(app, given);
+  apps::add_nest_fields(app, given);
   app.add_option("--record", record, "write the whole run as HDF5")->required();
   CLI11_PARSE(app, argc, argv);
   NestConfig config;

@@ -1,0 +1,89 @@
+#include "apps/design/nest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "apps/shared/exit_code.hpp"
+#include "apps/shared/nest_options.hpp"
+#include "apps/shared/step_line.hpp"
+
+namespace kreisel::apps {
+namespace {
+
+void print(const Nested& nested) {
+  const NestConfig& config = nested.spec.config;
+  fmt::print("{}: {:.4g} mm, {:.4g} g/cm^3; walls of {:.3g} mm, {:.3g} mm of play\n", shapes_text(config),
+             nested.size, nested.spec.density, config.tolerances.wall, config.tolerances.accuracy);
+  for (const std::string& line : nested.repairs) fmt::print("  repaired   {}\n", line);
+  if (!nested.feasible()) {
+    fmt::print(
+        "nothing written: {}\n  would help a thinner --wall, a finer --printer-accuracy or a larger --size\n",
+        nested.text);
+    return;
+  }
+  fmt::print("  layer  longest, mm  of the outer  certified   play, mm   wall, mm\n");
+  for (std::size_t k = 0; k < nested.layers.size(); ++k) {
+    const NestedLayer& layer = nested.layers[k];
+    const nest::Layer& found = layer.found;
+    fmt::print("  {:>5} {:>12.2f} {:>13.4f} {:>10} {:>10.3f} {:>10.3f}\n", k + 1, found.longest, found.ratio,
+               found.certified_scale >= found.scale ? "yes" : "smaller", layer.gap, layer.wall);
+  }
+  fmt::print("  {:<20} {:>9} {:>7} {:>9}\n", "part", "triangles", "shells", "mass, g");
+  for (const NestedPart& part : nested.parts)
+    fmt::print("  {:<20} {:>9} {:>7} {:>9.3f}  {}\n", part.written.name, part.written.triangles, part.shells,
+               part.written.grams, part.written.file.string());
+  fmt::print("  ended      {}\n", nested.ended);
+  fmt::print("  took       {:.1f} s to search, {:.1f} s to carve, write and verify\n", nested.search_seconds,
+             nested.parts_seconds);
+  fmt::print("{}\n", nested.text);
+}
+
+}  // namespace
+
+void add_nest_options(CLI::App& app, NestArguments& arguments) {
+  app.add_option(
+         "models", arguments.models,
+         "names of `bench list` or mesh files: the outer shape, the one in it, the one in that ...; the "
+         "last goes into itself")
+      ->required();
+  arguments.outputs.add(app,
+                        "the parts, each a file with a name of its own beside this one, or objects of it");
+  app.add_option("--wall", arguments.wall, "least wall: mm, or 2% (of the longest side)")
+      ->capture_default_str();
+  app.add_option("--density", arguments.spec.density, "g/cm^3")->capture_default_str();
+  app.add_option("--pegs", arguments.spec.peg_radius,
+                 "radius of loose pins that align the halves of each layer, mm; default none")
+      ->check(CLI::PositiveNumber);
+  app.add_option_function<std::string>(
+      "--size", [&](const std::string& text) { arguments.given.emplace_back("outer-size", text); },
+      "longest side of the outer shape in mm; default as the model is");
+  add_nest_fields(app, arguments.given,
+                  {"layers", "printer-accuracy", "free", "up", "plane", "removal", "keep-out", "fineness",
+                   "particles", "iterations", "seed", "seconds", "cells", "device"});
+}
+
+int nest_parts(NestArguments& arguments) {
+  NestedSpec& spec = arguments.spec;
+  NestConfig& config = spec.config;
+  config.outer = arguments.models.front();
+  if (arguments.models.size() > 1) config.inner = arguments.models[1];
+  for (std::size_t i = 2; i < arguments.models.size(); ++i) config.within.push_back(arguments.models[i]);
+  config.free = "all";
+  config.layers = std::max(1, static_cast<int>(arguments.models.size()) - 1);
+  config.tolerances.accuracy = 0.4;
+  for (const auto& [field, text] : arguments.given) set_field(config, field, text);
+  spec.wall = parse_wall(arguments.wall);
+  spec.file = arguments.outputs.part;
+  arguments.outputs.require_writable();
+  require_new(file_of_part(spec.file, "innermost"), "--output", arguments.outputs.force);
+  const Nested nested = [&] {
+    const StepLine line;
+    return make_nested(spec, [&](const std::string& step) { line.show(step); });
+  }();
+  if (arguments.outputs.write_report(to_json(nested))) print(nested);
+  return nested.feasible() ? done : infeasible;
+}
+
+}  // namespace kreisel::apps

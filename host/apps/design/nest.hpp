@@ -1,0 +1,27 @@
+// nest.hpp - `design nest`: shapes in each other.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/design/outputs.hpp"
+#include "design/nested.hpp"
+
+namespace kreisel::apps {
+
+struct NestArguments {
+  std::vector<std::string> models;
+  std::vector<std::pair<std::string, std::string>> given;  ///< fields of a NestConfig, as they were typed
+  std::string wall = "2%";
+  NestedSpec spec;
+  DesignOutputs outputs;
+};
+
+void add_nest_options(CLI::App& app, NestArguments& arguments);
+
+/// @return  the exit code
+int nest_parts(NestArguments& arguments);
+
+}  // namespace kreisel::apps

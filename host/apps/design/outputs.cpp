@@ -1,0 +1,44 @@
+#include "apps/design/outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "apps/shared/outputs.hpp"
+#include "error.hpp"
+#include "file/write_text.hpp"
+#include "mesh/format.hpp"
+
+namespace kreisel::apps {
+
+void DesignOutputs::add(CLI::App& app, const std::string& what) {
+  app.add_option("-o,--output", part, what + ": .stl, .3mf (with units), .obj, .ply or .off, mm")->required();
+  app.add_option("--json", json, "write a report as JSON; - for standard output");
+  app.add_option("--html", html, "write a page with a view of it, a cut to move, and the numbers");
+  app.add_flag("--force", force, "write over files that exist");
+}
+
+void DesignOutputs::require_writable() const {
+  (void)mesh_format(part);
+  for (const auto& [file, option] :
+       {std::pair{part, "--output"}, std::pair{json, "--json"}, std::pair{html, "--html"}}) {
+    apps::require_writable(file, option);
+    if (!file.empty() && file != "-") require_new(file, option, force);
+  }
+}
+
+bool DesignOutputs::write_report(const std::string& text) const {
+  if (json == "-") {
+    fmt::print("{}", text);  // alone on standard output, for a pipe
+    return false;
+  }
+  if (!json.empty()) write_text(json, text);
+  return true;
+}
+
+void require_new(const std::filesystem::path& file, const char* option, bool force) {
+  if (!force && std::filesystem::exists(file))
+    throw InputError(fmt::format("{} {} exists; expected a new name, or --force", option, file.string()));
+}
+
+}  // namespace kreisel::apps

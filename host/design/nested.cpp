@@ -1,0 +1,260 @@
+#include "design/nested.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "body/mesh_moments.hpp"
+#include "body/source.hpp"
+#include "device/device.hpp"
+#include "error.hpp"
+#include "fabricate/cut_part.hpp"
+#include "fabricate/swept_void.hpp"
+#include "fabricate/wall.hpp"
+#include "mesh/check.hpp"
+#include "mesh/components.hpp"
+#include "mesh/read.hpp"
+#include "mesh/separate_edges.hpp"
+#include "nest/layers.hpp"
+#include "run/nest_parts.hpp"
+#include "solve/interrupt.hpp"
+#include "stopwatch.hpp"
+
+namespace kreisel {
+namespace {
+
+/// How finely voids are carved; the height field reaches up to three pixels further than asked for.
+double pixel_of(const NestedSpec& spec, double size) {
+  return std::max(spec.config.tolerances.accuracy / 4, size / 1024);
+}
+
+struct Shapes {
+  std::vector<TriangleMesh> meshes;  ///< the outermost first, a shape in itself once
+  std::vector<std::string> repairs;
+  double size;  ///< longest side of the outermost, mm
+};
+
+Shapes load(const NestConfig& config) {
+  std::vector<std::string> names = {config.outer};
+  if (!config.inner.empty() && (config.inner != config.outer || !config.within.empty()))
+    names.push_back(config.inner);
+  names.insert(names.end(), config.within.begin(), config.within.end());
+  Shapes shapes;
+  for (const std::string& name : names) {
+    BodySpec spec;
+    spec.model = name;
+    if (config.fineness > 0) spec.fineness = config.fineness;
+    Source solid = load_solid(spec);
+    const double longest = bounding_box(solid.mesh).extent().maxCoeff();
+    if (shapes.meshes.empty())
+      shapes.size = config.outer_size ? *config.outer_size : solid.size.value_or(longest * solid.millimetres);
+    for (const std::string& line : solid.repairs) shapes.repairs.push_back(fmt::format("{}: {}", name, line));
+    shapes.meshes.push_back(std::move(solid.mesh));
+  }
+  return shapes;
+}
+
+nest::Layers search(const NestedSpec& spec, const Shapes& shapes, device::Device& device,
+                    const Progress& progress) {
+  nest::LayersSpec layers;
+  layers.size = shapes.size;
+  layers.tolerances = spec.config.tolerances;
+  layers.tolerances.accuracy += 3 * pixel_of(spec, shapes.size);
+  layers.most = spec.config.layers;
+  layers.cells = spec.config.cells;
+  layers.search = search_of(spec.config);
+  layers.search.freedom.given = unplaced(spec.config);
+  nest::Layers found =
+      nest::nest_layers(shapes.meshes, device, layers, [&](int layer, const nest::SearchState& state) {
+        if (progress)
+          progress(fmt::format("layer {}, iteration {} of {}, scale {:.4f}", layer, state.trace.size(),
+                               spec.config.search.swarm.iterations, state.scale));
+        return !interrupted();
+      });
+  if (found.interrupted) throw Interrupted();
+  return found;
+}
+
+TriangleMesh moved(TriangleMesh mesh, const Eigen::Affine3d& motion) {
+  for (Vec3& v : mesh.vertices) v = motion * v;
+  return mesh;
+}
+
+WayOff way_off(const nest::Cut& cut, int half) {
+  const double side = half == 0 ? 1 : -1;
+  return {side * cut.normal, side * cut.offset, cut.removal(half)};
+}
+
+/// A void without what lies beneath the cut, which is straight below it along the way.
+TriangleMesh beyond_cut(TriangleMesh mesh, const WayOff& way) {
+  for (Vec3& v : mesh.vertices)
+    if (const double beneath = way.offset - way.normal.dot(v); beneath > 0)
+      v += beneath / way.normal.dot(way.direction) * way.direction;
+  return mesh;
+}
+
+class Builder {
+ public:
+  Builder(Nested& nested, const Shapes& shapes, const nest::Layers& found)
+      : nested_(nested), shapes_(shapes), found_(found) {}
+
+  /// The halves of all layers, and the innermost shape.
+  std::vector<MaterialPart> parts() {
+    const NestedSpec& spec = nested_.spec;
+    std::vector<MaterialPart> all;
+    for (std::size_t k = 0; k < found_.layers.size(); ++k) {
+      stop_if_interrupted();
+      for (MaterialPart& part : halves(found_.layers[k], shape(k))) {
+        part.name = fmt::format("layer-{}-{}", k + 1, part.name);
+        all.push_back(std::move(part));
+      }
+    }
+    all.push_back({"innermost", spec.density, {shape(found_.layers.size())}});
+    return all;
+  }
+
+  /// Reads what was written, and measures it. @return  what is wrong, if anything
+  std::string verify(std::vector<WrittenMaterial> written) {
+    std::string wrong;
+    std::filesystem::path open;
+    std::vector<TriangleMesh> objects;
+    std::size_t next = 0;
+    for (WrittenMaterial& material : written) {
+      if (material.file != open) {
+        objects = read_objects(material.file);
+        open = material.file;
+        next = 0;
+      }
+      TriangleMesh mesh = std::move(objects.at(next++));
+      material.triangles = mesh.triangles.size();
+      (void)separate_edges(mesh);  // STL has no vertices of its own
+      try {
+        require_solid(mesh, material.name);
+      } catch (const InputError& error) {
+        if (wrong.empty()) wrong = fmt::format("the written mesh is not a solid: {}", error.what());
+      }
+      material.grams = 1e-3 * material.density * reference::mesh_moments(mesh).value[S1];
+      const std::size_t count = shells(mesh).size();
+      nested_.parts.push_back({std::move(material), std::move(mesh), count});
+    }
+    for (std::size_t k = 0; k < nested_.layers.size(); ++k) measure_gap(k);
+    return wrong;
+  }
+
+ private:
+  /// The outermost shape, or that in layer k - 1; mm.
+  [[nodiscard]] TriangleMesh shape(std::size_t k) const {
+    if (k == 0) return moved(shapes_.meshes.front(), found_.outermost);
+    const nest::Layer& layer = found_.layers[k - 1];
+    return moved(shapes_.meshes[layer.inner], layer.inner_to_world);
+  }
+
+  std::vector<MaterialPart> halves(const nest::Layer& layer, const TriangleMesh& outer) {
+    const NestedSpec& spec = nested_.spec;
+    const TriangleMesh inner = moved(shapes_.meshes[layer.inner], layer.inner_to_world);
+    const double pixel = pixel_of(spec, shapes_.size);
+    const double below = 1e-2 * bounding_box(outer).extent().norm();  // more than the cut may be moved
+    TriangleMesh voids[2];
+    NestedLayer nested{layer, 0, std::numeric_limits<double>::infinity()};
+    for (int half = 0; half < 2; ++half) {
+      const WayOff way = way_off(layer.cut, half);
+      voids[half] = swept_void(inner, way, spec.config.tolerances.accuracy, pixel, below);
+      nested.wall = std::min(nested.wall, least_wall(outer, beyond_cut(voids[half], way)));
+    }
+    nested_.layers.push_back(std::move(nested));
+    return cut_in_halves(outer, {std::move(voids[0]), std::move(voids[1])},
+                         {layer.cut.normal, layer.cut.offset, 0}, spec.density, {spec.peg_radius});
+  }
+
+  void measure_gap(std::size_t k) {
+    NestedLayer& layer = nested_.layers[k];
+    const TriangleMesh inner = shape(k + 1);
+    const double step = nested_.spec.config.tolerances.accuracy / 2;
+    const auto gap = [&](const char* name, int half) {
+      const std::string whole = fmt::format("layer-{}-{}", k + 1, name);
+      for (const NestedPart& part : nested_.parts)
+        if (part.written.name == whole)
+          return nest::clearance_of_half(part.mesh, inner, layer.found.cut, half, step);
+      return 0.0;
+    };
+    layer.gap = std::min(gap("upper", 0), gap("lower", 1));
+  }
+
+  Nested& nested_;
+  const Shapes& shapes_;
+  const nest::Layers& found_;
+};
+
+double wall_of(const Wall& wall, double size) {
+  if (wall.unit == Wall::cells)
+    throw InputError(
+        fmt::format("a wall of {}; expected mm, or percent of the longest side", to_string(wall)));
+  return wall.unit == Wall::percent ? 0.01 * wall.value * size : wall.value;
+}
+
+void require_printable(const nest::Tolerances& tolerances) {
+  if (!(tolerances.accuracy > 0))
+    throw InputError(
+        fmt::format("a printer's accuracy of {} mm; expected more than 0, for the parts to come apart",
+                    tolerances.accuracy));
+  if (tolerances.wall < tolerances.accuracy)
+    throw InputError(
+        fmt::format("a wall of {:.3g} mm is thinner than the printer's accuracy of {:.3g} mm; expected a "
+                    "thicker --wall, a larger --size or a finer --printer-accuracy",
+                    tolerances.wall, tolerances.accuracy));
+}
+
+void judge(Nested& nested, const std::string& wrong) {
+  const nest::Tolerances& asked = nested.spec.config.tolerances;
+  double gap = std::numeric_limits<double>::infinity(), wall = gap;
+  for (const NestedLayer& layer : nested.layers) {
+    gap = std::min(gap, layer.gap);
+    wall = std::min(wall, layer.wall);
+  }
+  nested.text = wrong;
+  if (!wrong.empty()) return;
+  // Files are in single precision.
+  const double rounding = 1e-6 * nested.size;
+  nested.ok = gap >= asked.accuracy - rounding && wall >= asked.wall - rounding;
+  nested.text =
+      fmt::format("{}: {} layer{} come{} apart with {:.3f} mm of play, the thinnest wall is {:.3f} mm",
+                  nested.ok ? "nests" : "does not nest as asked", nested.layers.size(),
+                  nested.layers.size() == 1 ? "" : "s", nested.layers.size() == 1 ? "s" : "", gap, wall);
+}
+
+}  // namespace
+
+Nested make_nested(const NestedSpec& spec, const Progress& progress) {
+  if (!(spec.density > 0)) throw InputError(fmt::format("density {}; expected a number > 0", spec.density));
+  Nested nested;
+  nested.spec = spec;
+  Shapes shapes = load(spec.config);
+  nested.repairs = shapes.repairs;
+  nested.size = shapes.size;
+  nest::Tolerances& tolerances = nested.spec.config.tolerances;
+  tolerances.wall = wall_of(spec.wall, shapes.size);
+  require_printable(tolerances);
+  device::Device device(spec.config.device);
+  nested.provenance = make_provenance(device);
+  const Stopwatch searching;
+  require_valid(nested.spec.config);
+  const nest::Layers found = search(nested.spec, shapes, device, progress);
+  nested.search_seconds = searching.seconds();
+  nested.ended = found.ended;
+  nested.text = found.ended;
+  if (found.layers.empty()) return nested;
+  if (progress) progress("carve, cut, write, verify");
+  const Stopwatch making;
+  Builder builder(nested, shapes, found);
+  const std::vector<MaterialPart> parts = builder.parts();
+  stop_if_interrupted();
+
+  judge(nested, builder.verify(write_parts(spec.file, parts)));
+  nested.parts_seconds = making.seconds();
+  return nested;
+}
+
+}  // namespace kreisel

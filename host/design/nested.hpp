@@ -1,0 +1,66 @@
+// nested.hpp - shapes in each other, cut into parts that come apart.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "domain/columns.hpp"
+#include "fabricate/verify.hpp"
+#include "run/nest_config.hpp"
+#include "run/pipeline.hpp"
+#include "run/provenance.hpp"
+
+namespace kreisel {
+
+struct NestedSpec {
+  /// Outer, inner and what is within; layers; what is free, and the search; its tolerances are the printer's.
+  NestConfig config;
+  Wall wall{2, Wall::percent};  ///< the least, mm or percent of the outermost shape's longest side
+  std::filesystem::path file;   ///< where the parts go
+  double density = 1;           ///< g/cm^3
+  double peg_radius = 0;        ///< of pins that align the halves of each layer, mm; 0: none
+};
+
+/// A shape around the next one, both halves of it as written and read again; mm.
+struct NestedLayer {
+  nest::Layer found;
+  double gap = 0;   ///< least distance of the inner shape from the halves, on its way out of them too
+  double wall = 0;  ///< least thickness between what is carved out and the outer surface
+};
+
+struct NestedPart {
+  WrittenMaterial written;  ///< layer-1-upper, layer-1-lower, layer-2-upper ... innermost
+  TriangleMesh mesh;        ///< as read again, mm
+  std::size_t shells = 0;   ///< pieces that it consists of
+};
+
+/// Shapes that nest, with the parts to print.
+struct Nested {
+  NestedSpec spec;
+  Provenance provenance;
+  std::vector<std::string> repairs;
+  double size = 0;  ///< longest side of the outermost shape, mm
+  std::vector<NestedLayer> layers;
+  std::vector<NestedPart> parts;
+  std::string ended;  ///< why there are no more layers
+  bool ok = false;    ///< every part is a solid, no gap below the accuracy, no wall below the least
+  std::string text;
+  double search_seconds = 0, parts_seconds = 0;
+
+  [[nodiscard]] bool feasible() const { return !layers.empty(); }
+};
+
+/// Nests, carves, cuts, writes, reads again and measures. Where nothing nests nothing is written.
+///
+/// Each half is the half of its outer shape less what the inner one, thicker by the printer's accuracy,
+/// sweeps on its way out of it (swept_void.hpp); the outer surface keeps its triangles. [Nest, s. 8]
+///
+/// @throws InputError   a shape that is no solid, options that do not fit, a file that cannot be written
+/// @throws Interrupted  nothing is written
+[[nodiscard]] Nested make_nested(const NestedSpec& spec, const Progress& progress = {});
+
+/// As JSON, by the field names of docs/output.md.
+[[nodiscard]] std::string to_json(const Nested& nested);
+
+}  // namespace kreisel

@@ -1,0 +1,77 @@
+#include <nlohmann/json.hpp>
+
+#include "design/nested.hpp"
+
+namespace kreisel {
+namespace {
+
+using nlohmann::json;
+
+json list(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+json rows(const Eigen::Affine3d& map) {
+  json all = json::array();
+  for (int row = 0; row < 3; ++row) {
+    json one = json::array();
+    for (int column = 0; column < 4; ++column) one.push_back(map(row, column));
+    all.push_back(one);
+  }
+  return all;
+}
+
+json to_json(const NestedLayer& layer) {
+  const nest::Layer& found = layer.found;
+  return {
+      {"scale", found.scale},
+      {"certified_scale", found.certified_scale},
+      {"ratio", found.ratio},
+      {"longest_mm", found.longest},
+      {"gap_mm", layer.gap},
+      {"wall_mm", layer.wall},
+      {"transform", rows(found.inner_to_world)},
+      {"plane", {{"point", list(found.cut.offset * found.cut.normal)}, {"normal", list(found.cut.normal)}}},
+      {"removal", {{"plus", list(found.cut.plus)}, {"minus", list(found.cut.minus)}}}};
+}
+
+json to_json(const NestedPart& part) {
+  return {
+      {"name", part.written.name},           {"file", part.written.file.string()},
+      {"triangles", part.written.triangles}, {"shells", part.shells},
+      {"mass_g", part.written.grams},        {"volume_mm3", 1e3 * part.written.grams / part.written.density}};
+}
+
+}  // namespace
+
+std::string to_json(const Nested& nested) {
+  const NestConfig& config = nested.spec.config;
+  json summary = {{"problem", "nest"},
+                  {"model", config.outer},
+                  {"outer", config.outer},
+                  {"inner", config.inner.empty() ? config.outer : config.inner},
+                  {"within", config.within},
+                  {"config", describe(config)},
+                  {"commit", nested.provenance.commit},
+                  {"device", nested.provenance.device},
+                  {"repairs", nested.repairs},
+                  {"size_mm", nested.size},
+                  {"accuracy_mm", config.tolerances.accuracy},
+                  {"wall_asked_mm", config.tolerances.wall},
+                  {"density", nested.spec.density},
+                  {"termination", nested.feasible() ? "valid" : "infeasible"},
+                  {"ended", nested.ended},
+                  {"ok", nested.ok},
+                  {"text", nested.text},
+                  {"seconds", {{"search", nested.search_seconds}, {"parts", nested.parts_seconds}}},
+                  {"layers", json::array()},
+                  {"parts", json::array()},
+                  {"files", json::array()}};
+  for (const NestedLayer& layer : nested.layers) summary["layers"].push_back(to_json(layer));
+  for (const NestedPart& part : nested.parts) {
+    summary["parts"].push_back(to_json(part));
+    const std::string file = part.written.file.string();
+    if (summary["files"].empty() || summary["files"].back() != file) summary["files"].push_back(file);
+  }
+  return summary.dump(2) + "\n";
+}
+
+}  // namespace kreisel
