@@ -34,7 +34,8 @@ double pixel_of(const NestedSpec& spec, double size) {
 struct Shapes {
   std::vector<TriangleMesh> meshes;  ///< the outermost first, a shape in itself once
   std::vector<std::string> repairs;
-  double size;  ///< longest side of the outermost, mm
+  double size = 0;          ///< longest side of the outermost, mm
+  Vec3 up = Vec3::UnitZ();  ///< of the outermost
 };
 
 Shapes load(const NestConfig& config) {
@@ -49,8 +50,10 @@ Shapes load(const NestConfig& config) {
     if (config.fineness > 0) spec.fineness = config.fineness;
     Source solid = load_solid(spec);
     const double longest = bounding_box(solid.mesh).extent().maxCoeff();
-    if (shapes.meshes.empty())
+    if (shapes.meshes.empty()) {
+      shapes.up = solid.up;
       shapes.size = config.outer_size ? *config.outer_size : solid.size.value_or(longest * solid.millimetres);
+    }
     for (const std::string& line : solid.repairs) shapes.repairs.push_back(fmt::format("{}: {}", name, line));
     shapes.meshes.push_back(std::move(solid.mesh));
   }
@@ -108,10 +111,12 @@ class Builder {
     for (std::size_t k = 0; k < found_.layers.size(); ++k) {
       stop_if_interrupted();
       for (MaterialPart& part : halves(found_.layers[k], shape(k))) {
+        add_place(k, part.name == "upper" ? 0 : part.name == "lower" ? 1 : -1);
         part.name = fmt::format("layer-{}-{}", k + 1, part.name);
         all.push_back(std::move(part));
       }
     }
+    add_place(found_.layers.size(), -1);
     all.push_back({"innermost", spec.density, {shape(found_.layers.size())}});
     return all;
   }
@@ -122,7 +127,8 @@ class Builder {
     std::filesystem::path open;
     std::vector<TriangleMesh> objects;
     std::size_t next = 0;
-    for (WrittenMaterial& material : written) {
+    for (std::size_t i = 0; i < written.size(); ++i) {
+      WrittenMaterial& material = written[i];
       if (material.file != open) {
         objects = read_objects(material.file);
         open = material.file;
@@ -137,14 +143,22 @@ class Builder {
         if (wrong.empty()) wrong = fmt::format("the written mesh is not a solid: {}", error.what());
       }
       material.grams = 1e-3 * material.density * reference::mesh_moments(mesh).value[S1];
-      const std::size_t count = shells(mesh).size();
-      nested_.parts.push_back({std::move(material), std::move(mesh), count});
+      NestedPart& part = nested_.parts[i];
+      part.shells = shells(mesh).size();
+      part.written = std::move(material);
+      part.mesh = std::move(mesh);
     }
     for (std::size_t k = 0; k < nested_.layers.size(); ++k) measure_gap(k);
     return wrong;
   }
 
  private:
+  void add_place(std::size_t layer, int half) {
+    NestedPart& part = nested_.parts.emplace_back();
+    part.layer = layer;
+    part.half = half;
+  }
+
   /// The outermost shape, or that in layer k - 1; mm.
   [[nodiscard]] TriangleMesh shape(std::size_t k) const {
     if (k == 0) return moved(shapes_.meshes.front(), found_.outermost);
@@ -173,14 +187,11 @@ class Builder {
     NestedLayer& layer = nested_.layers[k];
     const TriangleMesh inner = shape(k + 1);
     const double step = nested_.spec.config.tolerances.accuracy / 2;
-    const auto gap = [&](const char* name, int half) {
-      const std::string whole = fmt::format("layer-{}-{}", k + 1, name);
-      for (const NestedPart& part : nested_.parts)
-        if (part.written.name == whole)
-          return nest::clearance_of_half(part.mesh, inner, layer.found.cut, half, step);
-      return 0.0;
-    };
-    layer.gap = std::min(gap("upper", 0), gap("lower", 1));
+    layer.gap = std::numeric_limits<double>::infinity();
+    for (const NestedPart& part : nested_.parts)
+      if (part.layer == k && part.half >= 0)
+        layer.gap =
+            std::min(layer.gap, nest::clearance_of_half(part.mesh, inner, layer.found.cut, part.half, step));
   }
 
   Nested& nested_;
@@ -227,6 +238,12 @@ void judge(Nested& nested, const std::string& wrong) {
 
 }  // namespace
 
+Vec3 Nested::apart(const NestedPart& part) const {
+  if (part.half < 0) return Vec3::Zero();
+  const double way = 0.5 * size * static_cast<double>(layers.size() - part.layer);
+  return way * layers[part.layer].found.cut.removal(part.half);
+}
+
 Nested make_nested(const NestedSpec& spec, const Progress& progress) {
   if (!(spec.density > 0)) throw InputError(fmt::format("density {}; expected a number > 0", spec.density));
   Nested nested;
@@ -234,6 +251,7 @@ Nested make_nested(const NestedSpec& spec, const Progress& progress) {
   Shapes shapes = load(spec.config);
   nested.repairs = shapes.repairs;
   nested.size = shapes.size;
+  nested.up = shapes.up;
   nest::Tolerances& tolerances = nested.spec.config.tolerances;
   tolerances.wall = wall_of(spec.wall, shapes.size);
   require_printable(tolerances);

@@ -31,6 +31,8 @@ struct NestedLayer {
 
 struct NestedPart {
   WrittenMaterial written;  ///< layer-1-upper, layer-1-lower, layer-2-upper ... innermost
+  std::size_t layer = 0;    ///< counted from the outside
+  int half = -1;            ///< 0 or 1, above or below the cut; -1: neither, as the innermost shape or a peg
   TriangleMesh mesh;        ///< as read again, mm
   std::size_t shells = 0;   ///< pieces that it consists of
 };
@@ -40,7 +42,8 @@ struct Nested {
   NestedSpec spec;
   Provenance provenance;
   std::vector<std::string> repairs;
-  double size = 0;  ///< longest side of the outermost shape, mm
+  Vec3 up = Vec3::UnitZ();  ///< of the outermost shape
+  double size = 0;          ///< its longest side, mm
   std::vector<NestedLayer> layers;
   std::vector<NestedPart> parts;
   std::string ended;  ///< why there are no more layers
@@ -49,6 +52,8 @@ struct Nested {
   double search_seconds = 0, parts_seconds = 0;
 
   [[nodiscard]] bool feasible() const { return !layers.empty(); }
+  /// How far a part goes when all are taken apart, so that none hides another; mm.
+  [[nodiscard]] Vec3 apart(const NestedPart& part) const;
 };
 
 /// Nests, carves, cuts, writes, reads again and measures. Where nothing nests nothing is written.

@@ -54,6 +54,7 @@ std::string to_json(const Nested& nested) {
                   {"device", nested.provenance.device},
                   {"repairs", nested.repairs},
                   {"size_mm", nested.size},
+                  {"axis", list(nested.up)},
                   {"accuracy_mm", config.tolerances.accuracy},
                   {"wall_asked_mm", config.tolerances.wall},
                   {"density", nested.spec.density},

@@ -27,15 +27,16 @@ std::string base64(const std::vector<std::uint32_t>& words) {
   return text;
 }
 
-/// Little-endian floats and indices.
-std::string encoded(const TriangleMesh& mesh) {
+/// Little-endian floats and indices. @param skin  the page can hide it
+std::string surface(const TriangleMesh& mesh, std::string_view colour, bool skin = false) {
   std::vector<std::uint32_t> positions, indices;
   positions.reserve(3 * mesh.vertices.size());
   for (const Vec3& v : mesh.vertices)
     for (int a = 0; a < 3; ++a) positions.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(v[a])));
   indices.reserve(3 * mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) indices.insert(indices.end(), t.begin(), t.end());
-  return fmt::format("{{\"positions\": \"{}\", \"indices\": \"{}\"}}", base64(positions), base64(indices));
+  return fmt::format(R"({{"colour": "{}", "skin": {}, "positions": "{}", "indices": "{}"}})", colour, skin,
+                     base64(positions), base64(indices));
 }
 
 void replace(std::string& text, std::string_view mark, const std::string& with) {
@@ -50,16 +51,34 @@ std::string within_script(std::string text) {
   return text;
 }
 
+std::string page(const std::string& bodies, const std::string& report, const std::string& three) {
+  std::string text = page_template;
+  replace(text, "@BODIES@", bodies);
+  replace(text, "@REPORT@", within_script(report));
+  replace(text, "@THREE@", three);
+  return text;
+}
+
 }  // namespace
 
 std::string page_of(const Design& design, const std::string& three) {
-  std::string page = page_template;
-  replace(page, "@MESHES@",
-          fmt::format("{{\"outer\": {}, \"cavity\": {}}}", encoded(design.part.outer),
-                      encoded(design.part.cavity)));
-  replace(page, "@REPORT@", within_script(to_json(design)));
-  replace(page, "@THREE@", three);
-  return page;
+  const std::string surfaces =
+      surface(design.part.outer, "#b9c4ce", true) + ", " + surface(design.part.cavity, "#7fc0b6");
+  return page(fmt::format(R"([{{"cap": "#e9c46a", "surfaces": [{}]}}])", surfaces), to_json(design), three);
+}
+
+std::string page_of(const Nested& nested, const std::string& three) {
+  constexpr std::string_view colours[] = {"#b9c4ce", "#7fc0b6", "#d8a48f", "#a9b665", "#b7a3d0"},
+                             caps[] = {"#e9c46a", "#2a9d8f", "#e76f51", "#6a994e", "#7b5ea7"};
+  std::string bodies;
+  for (const NestedPart& part : nested.parts) {
+    const std::size_t k = part.layer % std::size(colours);
+    const Vec3 apart = nested.apart(part);
+    bodies += fmt::format(R"({}{{"cap": "{}", "apart": [{}, {}, {}], "surfaces": [{}]}})",
+                          bodies.empty() ? "" : ", ", caps[k], apart[0], apart[1], apart[2],
+                          surface(part.mesh, colours[k]));
+  }
+  return page("[" + bodies + "]", to_json(nested), three);
 }
 
 std::string installed_three() {

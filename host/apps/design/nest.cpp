@@ -8,6 +8,8 @@
 #include "apps/shared/exit_code.hpp"
 #include "apps/shared/nest_options.hpp"
 #include "apps/shared/step_line.hpp"
+#include "design/page.hpp"
+#include "file/write_text.hpp"
 
 namespace kreisel::apps {
 namespace {
@@ -30,7 +32,7 @@ void print(const Nested& nested) {
     fmt::print("  {:>5} {:>12.2f} {:>13.4f} {:>10} {:>10.3f} {:>10.3f}\n", k + 1, found.longest, found.ratio,
                found.certified_scale >= found.scale ? "yes" : "smaller", layer.gap, layer.wall);
   }
-  fmt::print("  {:<20} {:>9} {:>7} {:>9}\n", "part", "triangles", "shells", "mass, g");
+  fmt::print("  {:<20} {:>9} {:>7} {:>9}\n", "part", "triangles", "pieces", "mass, g");
   for (const NestedPart& part : nested.parts)
     fmt::print("  {:<20} {:>9} {:>7} {:>9.3f}  {}\n", part.written.name, part.written.triangles, part.shells,
                part.written.grams, part.written.file.string());
@@ -78,10 +80,13 @@ int nest_parts(NestArguments& arguments) {
   spec.file = arguments.outputs.part;
   arguments.outputs.require_writable();
   require_new(file_of_part(spec.file, "innermost"), "--output", arguments.outputs.force);
+  const std::string three = arguments.outputs.html.empty() ? "" : installed_three();
   const Nested nested = [&] {
     const StepLine line;
     return make_nested(spec, [&](const std::string& step) { line.show(step); });
   }();
+  if (!arguments.outputs.html.empty() && nested.feasible())
+    write_text(arguments.outputs.html, page_of(nested, three));
   if (arguments.outputs.write_report(to_json(nested))) print(nested);
   return nested.feasible() ? done : infeasible;
 }
