@@ -135,24 +135,38 @@ class Hybrid::Descent {
 
   /// Whether nothing in ball and slab of one node is in the way of what is in those of the other.
   [[nodiscard]] bool clear(const Pair& p, const Node& a, const Node& b) const {
-    const float scale = float(scale_), radius = scale * b.radius, reach = a.radius + radius;
+    const float scale = float(scale_), radius = scale * b.radius, both = a.radius + radius;
     const Vec3f at_b = scale * p.at_b + view_.shift;
     if (view_.normal.dot(p.at_a) - view_.offset < -a.radius) return true;
     const float beyond = view_.normal.dot(at_b) - view_.offset;
     if (beyond < -radius - slack) return true;
-    Vec3f apart = p.at_a - at_b;
-    const float above = apart.z();
-    apart.z() = std::max(above, 0.0f);  // A below B is in its way
-    if (apart.squaredNorm() > reach * reach) return true;
-    // All that B's ball sweeps on one side of A's slab: at both ends of the way to the cut, a ball's width
-    // further.
+    const Vec3f apart = p.at_a - at_b;
+    const float above = std::max(apart.z(), 0.0f);  // A below B is in its way
+    if (apart.head<2>().squaredNorm() + above * above > both * both) return true;
+    // All that B sweeps on one side of A's slab: at both ends of the way to the cut, a ball's width further.
     const Vec3f na = view_.axes * a.normal;
-    const float start = -na.dot(p.at_a - at_b),
+    const float start = -na.dot(apart),
                 end = start - na.z() * std::max(beyond + radius + slack, 0.0f) * view_.way;
-    if (std::max(start, end) + radius < a.least || std::min(start, end) - radius > a.most) return true;
-    // A's ball above the slab of an upper side of B.
+    const float nearest = std::min(start, end), farthest = std::max(start, end);
+    if (farthest + radius < a.least || nearest - radius > a.most) return true;
+    // A above the slab of an upper side of B.
     const Vec3f nb = view_.turn * b.normal;
-    return nb.z() >= 0 && nb.dot(p.at_a - at_b) - a.radius > scale * b.most;
+    const bool upper_side = nb.z() >= 0;
+    const float over = nb.dot(apart) - scale * b.most;
+    if (upper_side && over > a.radius) return true;
+    // Where both run nearly alike a node reaches much less far across the other's slab than its ball.
+    const float along = na.dot(nb), across = na.cross(nb).norm() + slack;
+    const auto [least, most] = reach(radius, scale * b.least, scale * b.most, along, across);
+    if (farthest + most < a.least || nearest + least > a.most) return true;
+    return upper_side && over + reach(a.radius, a.least, a.most, along, across).first > 0;
+  }
+
+  /// How far what is in a ball and a slab about its centre reaches along a direction: back, and on.
+  /// @param along, across  of the slab's normal, seen from the direction: cosine and sine
+  [[nodiscard]] static std::pair<float, float> reach(float radius, float least, float most, float along,
+                                                     float across) {
+    const float low = std::min(along * least, along * most), high = std::max(along * least, along * most);
+    return {std::max(-radius, low - across * radius), std::min(radius, high + across * radius)};
   }
 
   /// Goes through the pairs of triangles that meet; `met` says whether to go on. @return whether it did to
