@@ -37,6 +37,12 @@ std::optional<Vec3> WayOut::gap(const Vec3& b, double scale) const {
   return std::nullopt;
 }
 
+bool WayOut::centre_inside() const {
+  const Vec3& centre = placement_->pose.centroid;
+  const auto ahead = rays_->first(centre, placement_->cut.plus, 0, far);
+  return ahead && ahead->out;
+}
+
 double WayOut::largest_scale(const Vec3& b, double scale, double enough, double step) const {
   const Cut& cut = placement_->cut;
   const Vec3& centre = placement_->pose.centroid;
@@ -48,8 +54,9 @@ double WayOut::largest_scale(const Vec3& b, double scale, double enough, double 
     const double above = cut.beyond(half, *q), below = cut.beyond(half, centre);
     const double to_cut = below < 0 && above > below ? -below / (above - below) : 0;
     const auto hit = rays_->first(*q, centre - *q, 0, 1);
-    const double down = std::max(to_cut, hit ? 1 - hit->distance : 0);
-    scale = std::min(scale * down, scale - step);
+    // A way from outside to a centroid inside that crosses nothing begins on the surface, up to rounding.
+    const double crossed = hit ? 1 - hit->distance : centre_inside() ? 1 : 0;
+    scale = std::min(scale * std::max(to_cut, crossed), scale - step);
   }
   return scale;
 }

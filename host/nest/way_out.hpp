@@ -22,6 +22,7 @@ class WayOut {
   [[nodiscard]] double largest_scale(const Vec3& b, double scale, double enough, double step) const;
 
  private:
+  [[nodiscard]] bool centre_inside() const;
   [[nodiscard]] int half_of(const Vec3& p) const { return placement_->cut.beyond(0, p) >= 0 ? 0 : 1; }
 
   const Rays* rays_;

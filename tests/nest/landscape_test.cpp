@@ -159,6 +159,7 @@ TEST_P(BesidePrisms, FindsTheSameScale) {
   // So long that its ends are out of reach, and so flat that it reaches nowhere.
   const Nesting nesting(prism(shapes.outer, 20), prism(shapes.inner, 0.01));
   Random random(3);
+  Hybrid learned(nesting);  // from one trial for the next
   int nested = 0;
   for (int trial = 0; trial < 60; ++trial) {
     const Vec2 at(uniform(random, -1.2, 2.1), uniform(random, -1, 2.2));
@@ -169,6 +170,9 @@ TEST_P(BesidePrisms, FindsTheSameScale) {
     placement.cut = Cut::through(placement.pose.centroid, Vec3::UnitY());
     Hybrid hybrid(nesting);
     const double want = hybrid.search(placement, {.upper = 3, .abort_below = 0, .tolerance = 1e-5}).scale;
+    EXPECT_NEAR(learned.search(placement, {.upper = 3, .abort_below = 0, .tolerance = 1e-5}).scale, want,
+                2e-5)
+        << trial;
     const float found = largest(shapes, at, turn, rays);
     // What lies between two rays, 2e-4 apart, on borders up to some ten times as steep as wide.
     EXPECT_NEAR(found, want, 2e-3 * std::max(want, 0.1)) << at.transpose() << ", turn " << turn;
