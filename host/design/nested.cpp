@@ -91,14 +91,6 @@ WayOff way_off(const nest::Cut& cut, int half) {
   return {side * cut.normal, side * cut.offset, cut.removal(half)};
 }
 
-/// A void without what lies beneath the cut, which is straight below it along the way.
-TriangleMesh beyond_cut(TriangleMesh mesh, const WayOff& way) {
-  for (Vec3& v : mesh.vertices)
-    if (const double beneath = way.offset - way.normal.dot(v); beneath > 0)
-      v += beneath / way.normal.dot(way.direction) * way.direction;
-  return mesh;
-}
-
 class Builder {
  public:
   Builder(Nested& nested, const Shapes& shapes, const nest::Layers& found)
@@ -148,7 +140,7 @@ class Builder {
       part.written = std::move(material);
       part.mesh = std::move(mesh);
     }
-    for (std::size_t k = 0; k < nested_.layers.size(); ++k) measure_gap(k);
+    for (std::size_t k = 0; k < nested_.layers.size(); ++k) measure(k);
     return wrong;
   }
 
@@ -172,26 +164,26 @@ class Builder {
     const double pixel = pixel_of(spec, shapes_.size);
     const double below = 1e-2 * bounding_box(outer).extent().norm();  // more than the cut may be moved
     TriangleMesh voids[2];
-    NestedLayer nested{layer, 0, std::numeric_limits<double>::infinity()};
-    for (int half = 0; half < 2; ++half) {
-      const WayOff way = way_off(layer.cut, half);
-      voids[half] = swept_void(inner, way, spec.config.tolerances.accuracy, pixel, below);
-      nested.wall = std::min(nested.wall, least_wall(outer, beyond_cut(voids[half], way)));
-    }
-    nested_.layers.push_back(std::move(nested));
+    for (int half = 0; half < 2; ++half)
+      voids[half] =
+          swept_void(inner, way_off(layer.cut, half), spec.config.tolerances.accuracy, pixel, below);
+    nested_.layers.push_back({layer});
     return cut_in_halves(outer, {std::move(voids[0]), std::move(voids[1])},
                          {layer.cut.normal, layer.cut.offset, 0}, spec.density, {spec.peg_radius});
   }
 
-  void measure_gap(std::size_t k) {
+  void measure(std::size_t k) {
     NestedLayer& layer = nested_.layers[k];
-    const TriangleMesh inner = shape(k + 1);
+    const TriangleMesh outer = shape(k), inner = shape(k + 1);
     const double step = nested_.spec.config.tolerances.accuracy / 2;
-    layer.gap = std::numeric_limits<double>::infinity();
-    for (const NestedPart& part : nested_.parts)
-      if (part.layer == k && part.half >= 0)
-        layer.gap =
-            std::min(layer.gap, nest::clearance_of_half(part.mesh, inner, layer.found.cut, part.half, step));
+    // Files are in single precision; what lies that near to the outer surface is that surface.
+    const double skin = 1e-5 * nested_.size;
+    for (const NestedPart& part : nested_.parts) {
+      if (part.layer != k || part.half < 0) continue;
+      layer.wall = std::min(layer.wall, least_wall_within(outer, part.mesh, skin));
+      layer.gap =
+          std::min(layer.gap, nest::clearance_of_half(part.mesh, inner, layer.found.cut, part.half, step));
+    }
   }
 
   Nested& nested_;

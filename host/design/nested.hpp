@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,10 @@ struct NestedSpec {
 /// A shape around the next one, both halves of it as written and read again; mm.
 struct NestedLayer {
   nest::Layer found;
-  double gap = 0;   ///< least distance of the inner shape from the halves, on its way out of them too
-  double wall = 0;  ///< least thickness between what is carved out and the outer surface
+  /// Least distance of the inner shape from the halves, on its way out of them too.
+  double gap = std::numeric_limits<double>::infinity();
+  /// Least thickness between the outer surface and what is carved out, at the corners of the latter.
+  double wall = std::numeric_limits<double>::infinity();
 };
 
 struct NestedPart {

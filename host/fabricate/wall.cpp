@@ -9,30 +9,63 @@
 
 namespace kreisel {
 
+namespace {
+
+/// Of many points, by all threads.
+class LeastDistance {
+ public:
+  /// @param most  of all distances there are
+  LeastDistance(const TriangleMesh& outer, double most, double skin)
+      : distance_(outer), most_(most), skin_(skin), least_(most) {}
+
+  template <class Point>
+  void look_at(std::size_t count, Point&& point) {
+    constexpr std::size_t chunk = 1024;
+    parallel_for((count + chunk - 1) / chunk, [&](std::size_t c) {
+      for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, count); ++i) look_at(point(i));
+    });
+  }
+  [[nodiscard]] double result() const {
+    const double least = least_;
+    return least < most_ ? least : std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  void look_at(const Vec3& p) {
+    // A search need go no further than the least so far.
+    double so_far = least_.load(std::memory_order_relaxed);
+    const double here = distance_(p, so_far);
+    if (here <= skin_) return;
+    while (here < so_far && !least_.compare_exchange_weak(so_far, here, std::memory_order_relaxed)) {
+    }
+  }
+
+  SurfaceDistance distance_;
+  double most_, skin_;
+  std::atomic<double> least_;
+};
+
+double farthest_apart(const TriangleMesh& a, const TriangleMesh& b) {
+  return 2 * (bounding_box(a).extent() + bounding_box(b).extent()).norm();
+}
+
+}  // namespace
+
 double least_wall(const TriangleMesh& outer, const TriangleMesh& cavity) {
   if (cavity.triangles.empty()) return std::numeric_limits<double>::infinity();
-  const SurfaceDistance distance(outer);
-  // A search need go no further than the least so far.
-  std::atomic<double> least = (bounding_box(outer).extent() + bounding_box(cavity).extent()).norm();
-  const auto look_at = [&](const Vec3& p) {
-    double so_far = least.load(std::memory_order_relaxed);
-    const double here = distance(p, so_far);
-    while (here < so_far && !least.compare_exchange_weak(so_far, here, std::memory_order_relaxed)) {
-    }
-  };
-  constexpr std::size_t chunk = 1024;
-  const auto for_each = [&](std::size_t count, const auto& visit) {
-    parallel_for((count + chunk - 1) / chunk, [&](std::size_t c) {
-      for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, count); ++i) visit(i);
-    });
-  };
-  for_each(cavity.vertices.size(), [&](std::size_t i) { look_at(cavity.vertices[i]); });
-  for_each(cavity.triangles.size(), [&](std::size_t i) {
+  LeastDistance least(outer, farthest_apart(outer, cavity), -1);
+  least.look_at(cavity.vertices.size(), [&](std::size_t i) { return cavity.vertices[i]; });
+  least.look_at(cavity.triangles.size(), [&](std::size_t i) -> Vec3 {
     const Triangle& t = cavity.triangles[i];
-    const Vec3 &a = cavity.vertices[t[0]], &b = cavity.vertices[t[1]], &c = cavity.vertices[t[2]];
-    look_at((a + b + c) / 3);
+    return (cavity.vertices[t[0]] + cavity.vertices[t[1]] + cavity.vertices[t[2]]) / 3;
   });
-  return least;
+  return least.result();
+}
+
+double least_wall_within(const TriangleMesh& outer, const TriangleMesh& part, double skin) {
+  LeastDistance least(outer, farthest_apart(outer, part), skin);
+  least.look_at(part.vertices.size(), [&](std::size_t i) { return part.vertices[i]; });
+  return least.result();
 }
 
 }  // namespace kreisel

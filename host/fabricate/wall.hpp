@@ -12,4 +12,8 @@ namespace kreisel {
 /// the outer surface by about edge^2 / (8 distance).
 [[nodiscard]] double least_wall(const TriangleMesh& outer, const TriangleMesh& cavity);
 
+/// The same of a part whose surface is that outer surface in places: at those of its vertices that lie
+/// farther from it than `skin`. Infinite where there is none.
+[[nodiscard]] double least_wall_within(const TriangleMesh& outer, const TriangleMesh& part, double skin);
+
 }  // namespace kreisel

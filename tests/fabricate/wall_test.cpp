@@ -28,6 +28,13 @@ TEST(Wall, IsFoundBetweenTheCornersOfTriangles) {
   EXPECT_NEAR(least_wall(needle, cavity), 0.1, 1e-12);
 }
 
+TEST(Wall, WithinAPartLeavesOutWhatIsTheOuterSurface) {
+  const TriangleMesh outer = box_mesh(Vec3::Zero(), Vec3::Constant(10)),
+                     part = both(outer, inverted(box_mesh({1, 2, 3}, {8, 8, 9.75})));
+  EXPECT_DOUBLE_EQ(least_wall_within(outer, part, 1e-4), 0.25);
+  EXPECT_TRUE(std::isinf(least_wall_within(outer, outer, 1e-4)));
+}
+
 TEST(Wall, IsInfiniteWithoutACavity) {
   EXPECT_TRUE(std::isinf(least_wall(box_mesh(Vec3::Zero(), Vec3::Ones()), {})));
 }
