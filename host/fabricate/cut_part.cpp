@@ -10,6 +10,7 @@
 #include "mesh/cut_plane.hpp"
 #include "mesh/distance.hpp"
 #include "mesh/encode.hpp"
+#include "mesh/predicates.hpp"
 #include "mesh/prism.hpp"
 #include "mesh/repair.hpp"
 
@@ -40,12 +41,25 @@ struct Level {
   Eigen::Matrix3d rotation;
   TriangleMesh mesh;
   double height;  ///< of the plane
+  /// That corners keep from the plane, moved by no more than as much: some ten times the spacing of single
+  /// precision, so that what is left of a triangle is no sliver that rounding turns over.
+  double clearance;
 
   /// @param solid  in single precision
   Level(const TriangleMesh& solid, const Cut& plane)
       : rotation(axis_to_z(plane.normal)), mesh(turned(solid, rotation)) {
     const double size = bounding_box(mesh).extent().maxCoeff();
     height = clear_of_corners(mesh, plane.offset / plane.normal.norm(), 1e-3 * size);
+    clearance = 4e-6 * size;
+    keep_clear(mesh);
+  }
+
+  /// Of the same coordinates as `mesh`.
+  void keep_clear(TriangleMesh& level) const {
+    for (Vec3& v : level.vertices) {
+      const double above = v[2] - height;
+      if (std::abs(above) < clearance) v[2] = height + std::copysign(clearance, above);
+    }
   }
 };
 
@@ -101,9 +115,20 @@ TriangleMesh half_of(const TriangleMesh& solid, bool above, const Level& level,
   std::vector<BlindHole> holes;
   for (const Point2& at : pegs_at)
     holes.push_back({circle({at[0], above ? at[1] : -at[1]}, pegs.radius, sides), pegs.depth()});
+  TriangleMesh flat = turned(solid, level.rotation);
+  level.keep_clear(flat);
+  // The cap by the coordinates that change most along it.
+  int axis = 0;
+  const Vec3 upwards = turn.row(2);
+  upwards.cwiseAbs().maxCoeff(&axis);
+  const auto as_written = [&](const Vec3& v) { return in_single_precision(turn.transpose() * v); };
+  const WrittenAs written{[&](const Vec3& v) -> Vec3 { return turn * as_written(v); },
+                          [&](const Vec3& v) -> Point2 {
+                            const Point2 p = drop(as_written(v), axis);
+                            return upwards[axis] < 0 ? p : Point2{p[1], p[0]};
+                          }};
   TriangleMesh mesh =
-      above_plane(turned(solid, turn), above ? level.height : -level.height, holes,
-                  [&](const Vec3& v) -> Vec3 { return turn * in_single_precision(turn.transpose() * v); });
+      above_plane(turned(std::move(flat), over), above ? level.height : -level.height, holes, written);
   mesh = turned(std::move(mesh), turn.transpose());
   for (Vec3& v : mesh.vertices) v = in_single_precision(v);  // there and back is round-off off
   RepairReport ignored;

@@ -29,8 +29,8 @@ double clear_height(const TriangleMesh& mesh, double height) {
 
 class Cut {
  public:
-  Cut(const TriangleMesh& solid, double height, const std::function<Vec3(const Vec3&)>& round)
-      : solid_(solid), height_(height), round_(round) {}
+  Cut(const TriangleMesh& solid, double height, const WrittenAs& written)
+      : solid_(solid), height_(height), written_(written) {}
 
   /// What lies above, open; and of its rim the edges as the cap runs along them.
   void keep_above() {
@@ -77,8 +77,8 @@ class Cut {
       const Vec3 &low = solid_.vertices[ends.first], &high = solid_.vertices[ends.second];
       Vec3 at = low + (height_ - low[2]) / (high[2] - low[2]) * (high - low);
       at[2] = height_;
-      if (round_) {
-        at = round_(at);
+      if (written_.rounded) {
+        at = written_.rounded(at);
         entry->second = rounded_.try_emplace({at[0], at[1], at[2]}, entry->second).first->second;
       }
       if (entry->second == out.vertices.size()) out.vertices.push_back(at);
@@ -88,7 +88,7 @@ class Cut {
 
   const TriangleMesh& solid_;
   double height_;
-  const std::function<Vec3(const Vec3&)>& round_;
+  const WrittenAs& written_;
   std::map<std::array<double, 3>, std::uint32_t> rounded_;
   std::map<std::uint32_t, std::uint32_t> kept_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> crossings_;
@@ -128,13 +128,13 @@ TriangleMesh above_plane(const TriangleMesh& solid, double height, const BlindHo
 }
 
 TriangleMesh above_plane(const TriangleMesh& solid, double height, std::span<const BlindHole> holes,
-                         const std::function<Vec3(const Vec3&)>& round) {
-  Cut cut(solid, clear_height(solid, height), round);
+                         const WrittenAs& written) {
+  Cut cut(solid, clear_height(solid, height), written);
   cut.keep_above();
   TriangleMesh& out = cut.out;
   if (out.triangles.empty()) return out;
 
-  // The cap looks down: seen from above its outer loops run clockwise. In (y, x) they run the other way.
+  // The cap looks down: seen from below, as by (y, x), its outer loops run counter-clockwise.
   std::vector<Loop> loops = loops_of(std::move(cut.rim));
   const std::vector<Loop> sections = loops;
   std::vector<Loop> rings;
@@ -142,11 +142,12 @@ TriangleMesh above_plane(const TriangleMesh& solid, double height, std::span<con
     Loop& ring = rings.emplace_back();
     for (const Point2& p : hole.polygon) {
       ring.push_back(static_cast<std::uint32_t>(out.vertices.size()));
-      out.vertices.emplace_back(p[0], p[1], cut.height());
+      const Vec3 at(p[0], p[1], cut.height());
+      out.vertices.push_back(written.rounded ? written.rounded(at) : at);
     }
   }
   std::vector<Point2> flat;
-  for (const Vec3& v : out.vertices) flat.push_back({v[1], v[0]});
+  for (const Vec3& v : out.vertices) flat.push_back(written.flat ? written.flat(v) : Point2{v[1], v[0]});
   for (const Loop& ring : rings) {
     if (ring.empty()) continue;
     const auto around = std::ranges::count_if(

@@ -24,13 +24,20 @@ struct BlindHole {
 /// @throws InputError  the hole's polygon does not lie inside the section; a section that crosses itself
 [[nodiscard]] TriangleMesh above_plane(const TriangleMesh& solid, double height, const BlindHole& hole = {});
 
+/// How corners will be written, where that is in another coordinate system or rounded.
+struct WrittenAs {
+  /// Where a corner of the cap comes to lie, in the coordinates of the cut. Corners that become one are one.
+  std::function<Vec3(const Vec3&)> rounded;
+  /// Two of the written coordinates of such a corner, those across which the cap keeps its area, in the order
+  /// in which it is seen from below.
+  std::function<Point2(const Vec3&)> flat;
+};
+
 /// The same with several holes, which must not touch each other. One without a polygon is none.
 ///
-/// @param round  where the corners of the cap come to lie, as a file's precision will have it: the cap is
-///               filled with triangles between those, so that none folds over when it is written. Corners
-///               that become one are one. The cap then is flat up to that precision.
+/// @param written  the cap is filled with triangles between the corners as they will be written, so that none
+///                 folds over or loses its area by that. It is flat up to the rounding.
 [[nodiscard]] TriangleMesh above_plane(const TriangleMesh& solid, double height,
-                                       std::span<const BlindHole> holes,
-                                       const std::function<Vec3(const Vec3&)>& round = {});
+                                       std::span<const BlindHole> holes, const WrittenAs& written = {});
 
 }  // namespace kreisel

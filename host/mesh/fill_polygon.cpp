@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "error.hpp"
+#include "mesh/flip_delaunay.hpp"
 #include "mesh/predicates.hpp"
 
 namespace kreisel {
@@ -158,7 +159,9 @@ std::vector<std::array<std::uint32_t, 3>> fill_polygon(Points points, std::vecto
   std::sort(loops.begin() + 1, loops.end(),
             [&](const Loop& a, const Loop& b) { return rightmost(a) > rightmost(b); });
   for (std::size_t i = 1; i < loops.size(); ++i) bridge(points, polygon, std::move(loops[i]));
-  return Ears(points, polygon).clip();
+  std::vector<std::array<std::uint32_t, 3>> triangles = Ears(points, polygon).clip();
+  flip_to_delaunay(points, triangles);
+  return triangles;
 }
 
 }  // namespace kreisel

@@ -19,7 +19,8 @@ using Point2 = std::array<double, 2>;
 
 /// Cuts the region between an outer loop and the holes in it into counter-clockwise triangles that use every
 /// edge of the loops, add no point, and leave none out. Ear clipping after a bridge to each hole [Eberly,
-/// Triangulation by Ear Clipping, 2002], with exact signs; quadratic in the number of points.
+/// Triangulation by Ear Clipping, 2002], with exact signs; quadratic in the number of points. Then edges are
+/// turned (flip_delaunay.hpp), so that points along a straight rim make no slivers.
 ///
 /// @param loops  the outer one first, counter-clockwise; holes clockwise; simple, disjoint
 /// @throws InputError  loops that cross each other or themselves
