@@ -9,7 +9,7 @@
 #include "error.hpp"
 #include "mesh/components.hpp"
 #include "mesh/distance.hpp"
-#include "nest/exact.hpp"
+#include "nest/certify.hpp"
 #include "offset/offset_surface.hpp"
 #include "parallel.hpp"
 #include "stopwatch.hpp"
@@ -184,8 +184,7 @@ class Builder {
           inner_thickness, spec_.tolerances.wall));
 
     const Stopwatch certify;
-    Exact exact(nesting);
-    layer.certified_scale = certify_scale(exact, *found.best, spec_.search.tolerance).scale;
+    layer.certified_scale = certify_scale(nesting, *found.best, spec_.search.tolerance).scale;
     layer.certify_seconds = certify.seconds();
 
     const Eigen::Affine3d inner_to_outer = affine(nesting.transform(found.best->pose));

@@ -94,37 +94,4 @@ Placement PlacementSearch::best(const SearchState& state) const {
   return placement;
 }
 
-CertifiedScale certify_scale(Feasibility& exact, Placement placement, double tolerance) {
-  CertifiedScale certified;
-  const double scale = placement.pose.scale;
-  const auto holds = [&](double s) {
-    placement.pose.scale = s;
-    ++certified.tests;
-    const Verdict verdict = exact.check(placement);
-    if (s == scale) certified.verdict = verdict;
-    if (verdict.valid()) certified.scale = std::max(certified.scale, s);
-    return verdict.valid();
-  };
-  certified.confirmed = holds(scale);
-  // A bracket: `low` holds, `high` does not.
-  double low = scale, high = scale, step = tolerance;
-  if (certified.confirmed) {
-    while (holds(high = low + step)) {
-      low = high;
-      step *= 2;
-    }
-  } else {
-    while ((low = high - step) > 0 && !holds(low)) {
-      high = low;
-      step *= 2;
-    }
-    if (!(low > 0)) return certified;
-  }
-  while (high - low > tolerance) {
-    const double middle = (low + high) / 2;
-    (holds(middle) ? low : high) = middle;
-  }
-  return certified;
-}
-
 }  // namespace kreisel::nest

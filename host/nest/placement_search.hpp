@@ -54,17 +54,4 @@ class PlacementSearch {
   Climb climb_;
 };
 
-/// What an exact test says of a scale found by sampling.
-struct CertifiedScale {
-  bool confirmed = false;  ///< the scale itself holds
-  double scale = 0;        ///< the largest scale found to hold, within the tolerance; 0 when none does
-  int tests = 0;
-  Verdict verdict;  ///< of the scale itself
-};
-
-/// Tests `placement` exactly, then looks for the largest scale near its own that still holds: upwards from a
-/// scale that holds, downwards from one that doesn't, in steps that double, then by bisection. Feasibility
-/// need not be monotonic: what is returned was itself tested.
-[[nodiscard]] CertifiedScale certify_scale(Feasibility& exact, Placement placement, double tolerance = 1e-4);
-
 }  // namespace kreisel::nest

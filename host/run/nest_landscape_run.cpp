@@ -33,8 +33,7 @@ nest::CertifiedScale certify(const NestLandscape& found, double tolerance) {
   placement.pose.centroid = nesting.to_units(Vec3(at.x(), at.y(), 0));
   placement.pose.scale = map.scale[map.best()];
   placement.cut = nest::Cut::through(placement.pose.centroid, Vec3::UnitY());
-  nest::Exact exact(nesting);
-  return nest::certify_scale(exact, placement, tolerance);
+  return nest::certify_scale(nesting, placement, tolerance);
 }
 
 }  // namespace

@@ -187,21 +187,20 @@ class Run {
   void certify(const nest::Nesting& nesting, device::Device& device, const nest::Placement& placement) {
     step("certifying");
     const Stopwatch certify;
-    nest::Exact exact(nesting);
     if (config_.scale) {
       nest::CertifiedScale certified;
-      certified.verdict = exact.check(placement);
+      certified.verdict = nest::Exact(nesting).check(placement);
       certified.confirmed = certified.verdict.valid();
       certified.scale = certified.confirmed ? placement.pose.scale : 0;
       certified.tests = 1;
       result_.certified = certified;
     } else {
-      result_.certified = nest::certify_scale(exact, placement, config_.tolerance);
+      result_.certified = nest::certify_scale(nesting, placement, config_.tolerance);
     }
     result_.certify_seconds = certify.seconds();
     if (config_.free.empty()) return;
     const auto sampled = nest::make_feasibility("envelope", device, nesting, config_.resolution);
-    result_.sampled_scale = nest::certify_scale(*sampled, placement, config_.tolerance).scale;
+    result_.sampled_scale = nest::largest_near(*sampled, placement, config_.tolerance).scale;
   }
 
   void time(const nest::Nesting& nesting, device::Device& device, const nest::Placement& placement) {

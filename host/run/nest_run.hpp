@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nest/accuracy.hpp"
+#include "nest/certify.hpp"
 #include "nest/landscape.hpp"
 #include "nest/layers.hpp"
 #include "nest/optimise.hpp"

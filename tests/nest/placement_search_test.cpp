@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "known_answers.hpp"
+#include "nest/inside_ball.hpp"
 #include "refusal.hpp"
 
 namespace kreisel::nest {
@@ -22,17 +23,6 @@ class BallInBall final : public ScaleSearch {
     if (scale <= 0) return {0, false, 1};
     if (scale <= limits.abort_below) return {0, true, 1};
     return {scale, false, 10};
-  }
-};
-
-/// A ball of radius `scale` about the centroid is inside the unit ball.
-class InsideBall final : public Feasibility {
- public:
-  std::string_view name() const override { return "inside ball"; }
-  Verdict check(const Placement& placement) override {
-    Verdict verdict;
-    if (placement.pose.centroid.norm() + placement.pose.scale > 1) verdict.fault = Fault::sticks_out;
-    return verdict;
   }
 };
 
@@ -177,25 +167,6 @@ TEST(KeepOut, ForbidsPlanesThatPartTheSurfaceInABall) {
   EXPECT_FALSE(KeepOuts().touched(Cut::through(top, Vec3::UnitX())));
   expect_refusal([&] { KeepOuts(nesting, {{top, -1}}); }, "keep-out of radius", {"> 0"});
   expect_refusal([&] { KeepOuts(nesting, {{Vec3::Zero(), 0.1}}); }, "keep-out at", {"no vertex"});
-}
-
-TEST(CertifyScale, RaisesAScaleThatHoldsAndLowersOneThatDoesNot) {
-  InsideBall exact;
-  Placement placement;
-  placement.pose.centroid = Vec3(0.4, 0, 0);  // 0.6 is the most
-  for (const double scale : {0.45, 0.5999, 0.6002, 0.9}) {
-    placement.pose.scale = scale;
-    const CertifiedScale certified = certify_scale(exact, placement);
-    EXPECT_EQ(certified.confirmed, scale < 0.6);
-    EXPECT_EQ(certified.verdict.valid(), scale < 0.6);
-    EXPECT_LE(certified.scale, 0.6 + 1e-12) << "round-off of 0.4 + 0.6";
-    EXPECT_GE(certified.scale, 0.6 - 1e-4);
-    EXPECT_LT(certified.tests, 30);
-  }
-  placement.pose.centroid = Vec3(2, 0, 0);
-  const CertifiedScale nowhere = certify_scale(exact, placement);
-  EXPECT_FALSE(nowhere.confirmed);
-  EXPECT_EQ(nowhere.scale, 0);
 }
 
 }  // namespace
