@@ -10,6 +10,7 @@
 #include "design/other_axes.hpp"
 #include "error.hpp"
 #include "fabricate/cut_part.hpp"
+#include "fabricate/lay_flat.hpp"
 #include "fabricate/wall.hpp"
 #include "parse.hpp"
 
@@ -32,9 +33,15 @@ Cut parse_plane(const std::string& text) {
 class Finishing {
  public:
   explicit Finishing(const DesignSpec& spec)
-      : automatic_(spec.cut == "auto"), drain_(spec.drain_radius), pegs_{spec.peg_radius} {
+      : automatic_(spec.cut == "auto"),
+        lay_flat_(spec.lay_flat),
+        drain_(spec.drain_radius),
+        pegs_{spec.peg_radius} {
     if (!automatic_ && !spec.cut.empty()) planes_.push_back(parse_plane(spec.cut));
-    if (pegs_.radius > 0 && spec.cut.empty()) throw InputError("--pegs without a cut; expected --cut, too");
+    for (const auto& [wanted, option] :
+         {std::pair{pegs_.radius > 0, "--pegs"}, std::pair{lay_flat_, "--lay-flat"}})
+      if (wanted && spec.cut.empty())
+        throw InputError(fmt::format("{} without a cut; expected --cut, too", option));
   }
 
   [[nodiscard]] bool wanted() const { return automatic_ || !planes_.empty() || drain_ > 0; }
@@ -52,11 +59,14 @@ class Finishing {
         drains_ = drains_of(part.surfaces[0], part.surfaces[1], drain_, body.frame.rotation.row(2));
       part.surfaces = {drained(part.surfaces[0], part.surfaces[1], drains_, drain_)};
     }
-    return planes_.empty() ? std::vector{part} : cut_part(part, planes_, pegs_);
+    if (planes_.empty()) return {part};
+    std::vector<MaterialPart> pieces = cut_part(part, planes_, pegs_);
+    if (lay_flat_) lay_flat(pieces);
+    return pieces;
   }
 
  private:
-  bool automatic_;
+  bool automatic_, lay_flat_;
   double drain_;
   Pegs pegs_;
   std::vector<Cut> planes_;

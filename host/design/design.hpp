@@ -21,6 +21,7 @@ struct DesignSpec {
   std::string cut;
   double peg_radius = 0;    ///< of pins that align the halves of a cut, mm; 0: none
   double drain_radius = 0;  ///< of a hole into every void, mm; 0: none
+  bool lay_flat = false;    ///< pieces of cuts are written beside each other, each on its cut
 };
 
 /// A part that was made, with the solid it was made of beside it.

@@ -12,6 +12,7 @@
 #include "device/device.hpp"
 #include "error.hpp"
 #include "fabricate/cut_part.hpp"
+#include "fabricate/lay_flat.hpp"
 #include "fabricate/swept_void.hpp"
 #include "fabricate/wall.hpp"
 #include "mesh/check.hpp"
@@ -110,6 +111,7 @@ class Builder {
     }
     add_place(found_.layers.size(), -1);
     all.push_back({"innermost", spec.density, {shape(found_.layers.size())}});
+    if (spec.lay_flat) lay_flat(all);
     return all;
   }
 
@@ -134,6 +136,7 @@ class Builder {
       } catch (const InputError& error) {
         if (wrong.empty()) wrong = fmt::format("the written mesh is not a solid: {}", error.what());
       }
+      mesh = moved(std::move(mesh), material.laid.inverse());
       material.grams = 1e-3 * material.density * reference::mesh_moments(mesh).value[S1];
       NestedPart& part = nested_.parts[i];
       part.shells = shells(mesh).size();

@@ -21,6 +21,7 @@ struct NestedSpec {
   std::filesystem::path file;   ///< where the parts go
   double density = 1;           ///< g/cm^3
   double peg_radius = 0;        ///< of pins that align the halves of each layer, mm; 0: none
+  bool lay_flat = false;        ///< parts are written beside each other, halves on their cuts
 };
 
 /// A shape around the next one, both halves of it as written and read again; mm.
@@ -36,7 +37,7 @@ struct NestedPart {
   WrittenMaterial written;  ///< layer-1-upper, layer-1-lower, layer-2-upper ... innermost
   std::size_t layer = 0;    ///< counted from the outside
   int half = -1;            ///< 0 or 1, above or below the cut; -1: neither, as the innermost shape or a peg
-  TriangleMesh mesh;        ///< as read again, mm
+  TriangleMesh mesh;        ///< as read again, where it belongs; mm
   std::size_t shells = 0;   ///< pieces that it consists of
 };
 

@@ -54,6 +54,9 @@ struct Level {
     keep_clear(mesh);
   }
 
+  /// Out of the cut of the half above or below, model coordinates.
+  [[nodiscard]] Vec3 down(bool above) const { return (above ? -1 : 1) * rotation.row(2).transpose(); }
+
   /// Of the same coordinates as `mesh`.
   void keep_clear(TriangleMesh& level) const {
     for (Vec3& v : level.vertices) {
@@ -145,7 +148,8 @@ TriangleMesh pin(const Level& level, const Point2& at, const Pegs& pegs) {
 void add_pins(std::vector<MaterialPart>& pins, const Level& level, const std::vector<Point2>& at,
               const Pegs& pegs, double density) {
   for (const Point2& p : at)
-    pins.push_back({fmt::format("peg-{}", pins.size() + 1), density, {pin(level, p, pegs)}});
+    pins.push_back(
+        {fmt::format("peg-{}", pins.size() + 1), density, {pin(level, p, pegs)}, level.down(true)});
 }
 
 TriangleMesh in_single_precision(TriangleMesh mesh) {
@@ -171,28 +175,29 @@ void require_pegs_fit(const Pegs& pegs, std::size_t planes) {
 
 std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Cut> planes, const Pegs& pegs) {
   require_pegs_fit(pegs, planes.size());
-  std::vector<TriangleMesh> pieces = {in_single_precision(joined(part.surfaces, part.name))};
+  std::vector<MaterialPart> pieces = {
+      {part.name, part.density, {in_single_precision(joined(part.surfaces, part.name))}}};
   std::vector<MaterialPart> pins;
   for (const Cut& plane : planes) {
-    std::vector<TriangleMesh> next;
-    for (const TriangleMesh& piece : pieces) {
-      const Level level(piece, plane);
+    std::vector<MaterialPart> next;
+    for (const MaterialPart& piece : pieces) {
+      const TriangleMesh& solid = piece.surfaces.front();
+      const Level level(solid, plane);
       const std::vector<Point2> at = pegs.radius > 0 ? places(level, pegs) : std::vector<Point2>{};
+      const std::size_t before = next.size();
       for (const bool above : {true, false})
-        if (TriangleMesh half = half_of(piece, above, level, at, pegs); !half.triangles.empty())
-          next.push_back(std::move(half));
+        if (TriangleMesh half = half_of(solid, above, level, at, pegs); !half.triangles.empty())
+          next.push_back({"", part.density, {std::move(half)}, level.down(above)});
+      if (next.size() == before + 1) next.back().down = piece.down;  // the plane missed it
       add_pins(pins, level, at, pegs, part.density);
     }
     if (next.size() == pieces.size()) refuse_plane_that_misses(plane);
     pieces = std::move(next);
   }
-  std::vector<MaterialPart> parts;
   for (std::size_t i = 0; i < pieces.size(); ++i)
-    parts.push_back({pieces.size() == 2 ? (i == 0 ? "upper" : "lower") : fmt::format("piece-{}", i + 1),
-                     part.density,
-                     {std::move(pieces[i])}});
-  for (MaterialPart& peg : pins) parts.push_back(std::move(peg));
-  return parts;
+    pieces[i].name = pieces.size() == 2 ? (i == 0 ? "upper" : "lower") : fmt::format("piece-{}", i + 1);
+  for (MaterialPart& peg : pins) pieces.push_back(std::move(peg));
+  return pieces;
 }
 
 std::vector<MaterialPart> cut_in_halves(const TriangleMesh& solid, const HalfVoids& voids, const Cut& plane,
@@ -207,7 +212,7 @@ std::vector<MaterialPart> cut_in_halves(const TriangleMesh& solid, const HalfVoi
     const TriangleMesh whole = in_single_precision(joined({solid, above ? voids.upper : voids.lower}, name));
     TriangleMesh half = half_of(whole, above, level, at, pegs);
     if (half.triangles.empty()) refuse_plane_that_misses(plane);
-    parts.push_back({name, density, {std::move(half)}});
+    parts.push_back({name, density, {std::move(half)}, level.down(above)});
   }
   std::vector<MaterialPart> pins;
   add_pins(pins, level, at, pegs, density);

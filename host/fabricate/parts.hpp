@@ -1,6 +1,7 @@
 // parts.hpp - of what solids a finished part consists, one a material. [docs/materials.md]
 #pragma once
 
+#include <Eigen/Geometry>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct MaterialPart {
   std::string name;                    ///< part; or shell, interior; and filling, of voids that are not empty
   double density = 1;                  ///< g/cm^3
   std::vector<TriangleMesh> surfaces;  ///< its outer surface, and its cavities as surfaces of their own
+  Vec3 down = Vec3::Zero();            ///< out of the cut that it can lie on; zero: it has none
+  /// From model coordinates to where it is written (lay_flat.hpp).
+  Eigen::Affine3d laid = Eigen::Affine3d::Identity();
 };
 
 /// An interior of whole voxels. Where a surface would meet itself along an edge, each side has vertices of

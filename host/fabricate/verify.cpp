@@ -7,6 +7,7 @@
 
 #include "body/mesh_moments.hpp"
 #include "error.hpp"
+#include "fabricate/lay_flat.hpp"
 #include "mesh/check.hpp"
 #include "mesh/format.hpp"
 #include "mesh/read.hpp"
@@ -25,14 +26,14 @@ std::vector<WrittenMaterial> write_parts(const std::filesystem::path& path,
   std::vector<WrittenMaterial> written;
   std::vector<MeshObject> objects;
   for (const MaterialPart& part : parts) {
-    objects.push_back({fmt::format("{}, {} g/cm^3", part.name, part.density), part.surfaces});
-    written.push_back({part.name, part.density, file_of_part(path, part.name), 0, 0});
+    objects.push_back({fmt::format("{}, {} g/cm^3", part.name, part.density), laid_surfaces(part)});
+    written.push_back({part.name, part.density, file_of_part(path, part.name), 0, 0, part.laid});
   }
   if (mesh_format(path).encode_objects) {
     write_objects(path, objects);
     return written;
   }
-  for (std::size_t i = 0; i < parts.size(); ++i) write_mesh(written[i].file, parts[i].surfaces);
+  for (std::size_t i = 0; i < parts.size(); ++i) write_mesh(written[i].file, objects[i].parts);
   return written;
 }
 
@@ -53,6 +54,8 @@ WrittenPart verify_written(std::vector<WrittenMaterial> materials, const Body& b
         throw InputError(fmt::format("{}: {} objects, expected one more", open.string(), next));
       TriangleMesh mesh = std::move(objects[next++]);
       material.triangles = mesh.triangles.size();
+      const Eigen::Affine3d back = material.laid.inverse();
+      for (Vec3& v : mesh.vertices) v = back * v;
       // STL has no vertices of its own: where parts of the body touch along an edge, theirs became one.
       (void)separate_edges(mesh);
       require_solid(mesh, material.file.filename().string());

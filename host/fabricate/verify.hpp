@@ -18,6 +18,7 @@ struct WrittenMaterial {
   std::filesystem::path file;  ///< of several materials in one file, one object each, the same
   std::size_t triangles = 0;   ///< as read again
   double grams = 0;            ///< of the file's own volume; 0 where it is no solid
+  Eigen::Affine3d laid = Eigen::Affine3d::Identity();  ///< from model coordinates to the file's
 };
 
 /// What the written files hold.
@@ -28,7 +29,8 @@ struct WrittenPart {
 };
 
 /// A file each: part or shell as `path` says, the others as NAME-interior.stl, NAME-filling.stl or
-/// NAME-upper.stl beside it. 3MF takes them all in one file, as objects with their names.
+/// NAME-upper.stl beside it, where they are laid. 3MF takes them all in one file, as objects with their
+/// names.
 /// @throws InputError  see write_mesh()
 [[nodiscard]] std::vector<WrittenMaterial> write_parts(const std::filesystem::path& path,
                                                        const std::vector<MaterialPart>& parts);

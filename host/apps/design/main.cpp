@@ -59,6 +59,8 @@ void add_options(CLI::App& app, Parsed& parsed, const Purpose& purpose) {
   app.add_option(
       "--cut", parsed.spec.cut,
       "cut the part: auto (by the planes that open its voids), or a plane NX,NY,NZ,D, N . x = D in mm");
+  app.add_flag("--lay-flat", parsed.spec.lay_flat,
+               "write the pieces of a cut beside each other, each lying on its cut");
   app.add_option("--pegs", parsed.spec.peg_radius,
                  "radius of two loose pins that align the halves of a cut, mm; default none")
       ->check(CLI::PositiveNumber);

@@ -55,6 +55,8 @@ void add_nest_options(CLI::App& app, NestArguments& arguments) {
   app.add_option("--wall", arguments.wall, "least wall: mm, or 2% (of the longest side)")
       ->capture_default_str();
   app.add_option("--density", arguments.spec.density, "g/cm^3")->capture_default_str();
+  app.add_flag("--lay-flat", arguments.spec.lay_flat,
+               "write the parts beside each other, halves lying on their cuts");
   app.add_option("--pegs", arguments.spec.peg_radius,
                  "radius of loose pins that align the halves of each layer, mm; default none")
       ->check(CLI::PositiveNumber);

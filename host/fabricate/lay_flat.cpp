@@ -1,0 +1,48 @@
+#include "fabricate/lay_flat.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "body/frame.hpp"
+
+namespace kreisel {
+namespace {
+
+/// Of all its surfaces, turned.
+Box box_of(const MaterialPart& part, const Eigen::Affine3d& motion) {
+  Box box{Vec3::Constant(INFINITY), Vec3::Constant(-INFINITY)};
+  for (const TriangleMesh& mesh : part.surfaces)
+    for (const Vec3& v : mesh.vertices) {
+      const Vec3 p = motion * v;
+      box.lo = box.lo.cwiseMin(p);
+      box.hi = box.hi.cwiseMax(p);
+    }
+  return box;
+}
+
+}  // namespace
+
+void lay_flat(std::vector<MaterialPart>& parts, double gap) {
+  double x = 0;
+  for (MaterialPart& part : parts) {
+    const Eigen::Affine3d turn(part.down.isZero() ? Eigen::Matrix3d::Identity() : axis_to_z(-part.down));
+    const Box box = box_of(part, turn);
+    part.laid = Eigen::Translation3d(x - box.lo[0], -box.lo[1], -box.lo[2]) * turn;
+    x += box.extent()[0] + gap;
+  }
+}
+
+std::vector<TriangleMesh> laid_surfaces(const MaterialPart& part) {
+  std::vector<TriangleMesh> surfaces = part.surfaces;
+  if (part.laid.matrix().isIdentity(0)) return surfaces;
+  // Less than corners keep from a cut (cut_part.hpp), more than they are rounded by.
+  const double rounding = 2e-6 * box_of(part, part.laid).extent().maxCoeff();
+  for (TriangleMesh& mesh : surfaces)
+    for (Vec3& v : mesh.vertices) {
+      v = part.laid * v;
+      if (std::abs(v[2]) < rounding) v[2] = 0;
+    }
+  return surfaces;
+}
+
+}  // namespace kreisel
