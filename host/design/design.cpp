@@ -85,7 +85,8 @@ Design make_design(const DesignSpec& spec, const Progress& progress) {
                     "thicker --wall, a "
                     "larger --size or a finer --printer-accuracy",
                     wall, spec.printer_accuracy));
-  Design design;
+  Design design{};
+  design.printer_accuracy = spec.printer_accuracy;
   design.part.outer = run.body().mesh;
   if (run.result.outcome.termination != Termination::infeasible) {
     if (progress) progress("mesh, write, verify");
@@ -98,6 +99,7 @@ Design make_design(const DesignSpec& spec, const Progress& progress) {
     design.drains = finishing.drains();
     if (progress) progress("measure the walls");
     design.wall = least_wall(design.part.outer, design.part.cavity);
+    design.thinnest = thinnest_material(design.part.outer, design.part.cavity);
   }
   design.run = std::move(run.result);
   const RunResult& r = design.run;

@@ -6,6 +6,7 @@
 
 #include "design/figures.hpp"
 #include "fabricate/drain.hpp"
+#include "fabricate/thickness.hpp"
 #include "run/make_part.hpp"
 
 namespace kreisel {
@@ -31,6 +32,8 @@ struct Design {
   Figures before, after;      ///< the solid; the part, from the files as read again
   Residual residual{};        ///< of the part
   double wall = 0;            ///< least of the part, mm; infinite without a cavity
+  ThinPlace thinnest{0};      ///< of its material, walls and webs between voids
+  double printer_accuracy;    ///< as asked, mm
   std::vector<Cut> cuts;      ///< by which it was cut
   std::vector<Drain> drains;  ///< holes into voids
   std::string other_axes;     ///< where it cannot spin about the axis that was asked for: about which it can

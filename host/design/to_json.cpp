@@ -64,6 +64,8 @@ std::string to_json(const Design& design) {
                                     {"axis_degrees", number(design.residual.axis_degrees)},
                                     {"mass_g", number(design.residual.mass_g)}};
   summary["wall_mm"] = number(design.wall);
+  summary["thinnest_mm"] = number(design.thinnest.thickness);
+  summary["thinnest_at_mm"] = std::isfinite(design.thinnest.thickness) ? list(design.thinnest.at) : json();
   summary["voids"] = r.voids.pieces;
   summary["islands"] = r.voids.islands;
   summary["cuts"] = cuts;

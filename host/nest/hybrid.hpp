@@ -1,7 +1,7 @@
 // hybrid.hpp - feasibility and scale search by rays and by pairs of triangles: exact, without maps.
 #pragma once
 
-#include "nest/rays.hpp"
+#include "mesh/rays.hpp"
 #include "nest/scale_search.hpp"
 #include "nest/sphere_tree.hpp"
 #include "nest/swept_pair.hpp"

@@ -8,7 +8,7 @@
 
 #include "error.hpp"
 #include "mesh/distance.hpp"
-#include "nest/rays.hpp"
+#include "mesh/rays.hpp"
 #include "parallel.hpp"
 #include "stopwatch.hpp"
 #include "unknown_name.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "nest/nesting.hpp"
-#include "nest/rays.hpp"
+#include "mesh/rays.hpp"
 
 namespace kreisel::nest {
 

@@ -1,4 +1,4 @@
-#include "nest/rays.hpp"
+#include "mesh/rays.hpp"
 
 #include <embree3/rtcore.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <new>
 
-namespace kreisel::nest {
+namespace kreisel {
 
 struct Rays::Scene {
   RTCDevice device = rtcNewDevice("threads=1");
@@ -54,4 +54,4 @@ std::optional<Rays::Hit> Rays::first(const Vec3& from, const Vec3& direction, do
   return Hit{double(ray.ray.tfar), along > 0};
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel

@@ -1,4 +1,4 @@
-// rays.hpp - where does a ray first meet A?
+// rays.hpp - where does a ray first meet a mesh?
 #pragma once
 
 #include <memory>
@@ -6,10 +6,10 @@
 
 #include "mesh/triangle_mesh.hpp"
 
-namespace kreisel::nest {
+namespace kreisel {
 
-/// Embree's watertight rays, in single precision: distances are right to about 1e-6 in nesting units. Safe to
-/// ask from several threads.
+/// Embree's watertight rays, in single precision: distances are right to about 1e-6 of the coordinates. Safe
+/// to ask from several threads.
 class Rays {
  public:
   struct Hit {
@@ -31,4 +31,4 @@ class Rays {
   std::unique_ptr<Scene> scene_;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel

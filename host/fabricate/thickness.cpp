@@ -1,0 +1,37 @@
+#include "fabricate/thickness.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "mesh/encode.hpp"
+#include "mesh/rays.hpp"
+#include "parallel.hpp"
+
+namespace kreisel {
+
+ThinPlace thinnest_material(const TriangleMesh& outer, const TriangleMesh& cavity) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (cavity.triangles.empty()) return {infinity};
+  const TriangleMesh part = joined({outer, cavity}, "part");
+  const Rays rays(part);
+  const double size = bounding_box(outer).extent().norm(),
+               off = 1e-5 * size;  // the surface that a ray begins on
+  constexpr std::size_t chunk = 1024;
+  std::vector<ThinPlace> thinnest((cavity.triangles.size() + chunk - 1) / chunk, ThinPlace{infinity});
+  parallel_for(thinnest.size(), [&](std::size_t c) {
+    for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, cavity.triangles.size()); ++i) {
+      const Triangle& t = cavity.triangles[i];
+      const Vec3 &p = cavity.vertices[t[0]], &q = cavity.vertices[t[1]], &r = cavity.vertices[t[2]];
+      const Vec3 into_void = (q - p).cross(r - p);
+      if (!(into_void.norm() > 0)) continue;
+      const Vec3 from = (p + q + r) / 3;
+      const auto hit = rays.first(from, -into_void.normalized(), off, size);
+      if (hit && hit->distance < thinnest[c].thickness) thinnest[c] = {hit->distance, from};
+    }
+  });
+  return *std::ranges::min_element(thinnest, {}, &ThinPlace::thickness);
+}
+
+}  // namespace kreisel

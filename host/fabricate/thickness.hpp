@@ -1,0 +1,20 @@
+// thickness.hpp - how thin the material between the surfaces of a part gets.
+#pragma once
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace kreisel {
+
+/// Where a part is thinnest.
+struct ThinPlace {
+  double thickness;  ///< infinite without a cavity
+  Vec3 at = Vec3::Zero();
+};
+
+/// The least way from a cavity's surface straight through the material to the next surface, another one's or
+/// the outer; from the middle of each of its triangles. Walls are that thick at least (wall.hpp says
+/// exactly), webs between voids are found by this alone. Right to 1e-6 of the coordinates; in the unit of the
+/// meshes.
+[[nodiscard]] ThinPlace thinnest_material(const TriangleMesh& outer, const TriangleMesh& cavity);
+
+}  // namespace kreisel
