@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesh/encode.hpp"
-#include "mesh/rays.hpp"
+#include "mesh/surface_rays.hpp"
 #include "parallel.hpp"
 
 namespace kreisel {
@@ -15,7 +15,7 @@ ThinPlace thinnest_material(const TriangleMesh& outer, const TriangleMesh& cavit
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (cavity.triangles.empty()) return {infinity};
   const TriangleMesh part = joined({outer, cavity}, "part");
-  const Rays rays(part);
+  const SurfaceRays rays(part);
   const double size = bounding_box(outer).extent().norm(),
                off = 1e-5 * size;  // the surface that a ray begins on
   constexpr std::size_t chunk = 1024;

@@ -1,7 +1,7 @@
 // hybrid.hpp - feasibility and scale search by rays and by pairs of triangles: exact, without maps.
 #pragma once
 
-#include "mesh/rays.hpp"
+#include "mesh/surface_rays.hpp"
 #include "nest/scale_search.hpp"
 #include "nest/sphere_tree.hpp"
 #include "nest/swept_pair.hpp"
@@ -46,7 +46,7 @@ class Hybrid : public Feasibility, public ScaleSearch {
 
   const Nesting* nesting_;
   SphereTree outer_, inner_;
-  Rays rays_;
+  SurfaceRays rays_;
   std::vector<std::uint32_t> shells_;
   std::vector<Vec3> witnesses_;  ///< points of B, those that decided last first
 };

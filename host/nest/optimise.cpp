@@ -8,7 +8,7 @@
 
 #include "error.hpp"
 #include "mesh/distance.hpp"
-#include "mesh/rays.hpp"
+#include "mesh/surface_rays.hpp"
 #include "parallel.hpp"
 #include "stopwatch.hpp"
 #include "unknown_name.hpp"
@@ -126,7 +126,7 @@ std::vector<Vec3> deep_points(const Nesting& nesting, int count) {
     for (double y = box.lo[1] + step / 2; y < box.hi[1]; y += step)
       for (double z = box.lo[2] + step / 2; z < box.hi[2]; z += step) lattice.emplace_back(x, y, z);
   const SurfaceDistance distance(nesting.outer());
-  const Rays rays(nesting.outer());
+  const SurfaceRays rays(nesting.outer());
   // Two of three rays agree on it: a hole in the mesh deceives one at most.
   const auto inside = [&](const Vec3& x) {
     int out = 0;

@@ -7,8 +7,8 @@ namespace kreisel::nest {
 namespace {
 
 constexpr double far = 4;  // longer than any way in nesting units
-// Rays go on this far behind a hit, and what is thinner than a gap is left to pairs of triangles, which are
-// exact.
+// SurfaceRays go on this far behind a hit, and what is thinner than a gap is left to pairs of triangles,
+// which are exact.
 constexpr double past = 4e-7, thin = 1e-5;
 
 }  // namespace

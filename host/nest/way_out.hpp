@@ -1,8 +1,8 @@
 // way_out.hpp - can one point of B be taken out, and up to which scale?
 #pragma once
 
+#include "mesh/surface_rays.hpp"
 #include "nest/nesting.hpp"
-#include "mesh/rays.hpp"
 
 namespace kreisel::nest {
 
@@ -10,7 +10,7 @@ namespace kreisel::nest {
 /// the removal direction to the cut lies inside A.
 class WayOut {
  public:
-  WayOut(const Rays& rays, const Placement& placement) : rays_(&rays), placement_(&placement) {}
+  WayOut(const SurfaceRays& rays, const Placement& placement) : rays_(&rays), placement_(&placement) {}
 
   [[nodiscard]] Vec3 at(const Vec3& b, double scale) const {
     return placement_->pose.centroid + scale * (placement_->pose.rotation * b);
@@ -25,7 +25,7 @@ class WayOut {
   [[nodiscard]] bool centre_inside() const;
   [[nodiscard]] int half_of(const Vec3& p) const { return placement_->cut.beyond(0, p) >= 0 ? 0 : 1; }
 
-  const Rays* rays_;
+  const SurfaceRays* rays_;
   const Placement* placement_;
 };
 

@@ -1,4 +1,4 @@
-#include "mesh/rays.hpp"
+#include "mesh/surface_rays.hpp"
 
 #include <embree3/rtcore.h>
 
@@ -8,12 +8,12 @@
 
 namespace kreisel {
 
-struct Rays::Scene {
+struct SurfaceRays::Scene {
   RTCDevice device = rtcNewDevice("threads=1");
   RTCScene scene = rtcNewScene(device);
 };
 
-Rays::Rays(const TriangleMesh& mesh) : scene_(std::make_unique<Scene>()) {
+SurfaceRays::SurfaceRays(const TriangleMesh& mesh) : scene_(std::make_unique<Scene>()) {
   rtcSetSceneFlags(scene_->scene, RTC_SCENE_FLAG_ROBUST);
   const RTCGeometry geometry = rtcNewGeometry(scene_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
@@ -30,13 +30,13 @@ Rays::Rays(const TriangleMesh& mesh) : scene_(std::make_unique<Scene>()) {
   rtcCommitScene(scene_->scene);
 }
 
-Rays::~Rays() {
+SurfaceRays::~SurfaceRays() {
   rtcReleaseScene(scene_->scene);
   rtcReleaseDevice(scene_->device);
 }
 
-std::optional<Rays::Hit> Rays::first(const Vec3& from, const Vec3& direction, double least,
-                                     double most) const {
+std::optional<SurfaceRays::Hit> SurfaceRays::first(const Vec3& from, const Vec3& direction, double least,
+                                                   double most) const {
   if (!(least < most)) return std::nullopt;
   RTCRayHit ray{};
   ray.ray.org_x = float(from[0]), ray.ray.org_y = float(from[1]), ray.ray.org_z = float(from[2]);
