@@ -51,10 +51,28 @@ def slices(stl):
     return good
 
 
+def row_of_doll(report, options):
+    """Of shapes in each other: what is worst of all their parts."""
+    row = {"ok": report["ok"], "mass_g": f"{sum(part['mass_g'] for part in report['parts']):.4f}",
+           "off_mm": min(layer["gap_mm"] for layer in report["layers"]),
+           "wall_mm": min(layer["wall_mm"] for layer in report["layers"]), "wall_asked_mm": report["wall_asked_mm"],
+           "triangles": sum(part["triangles"] for part in report["parts"]), "text": report["text"]}
+    if shutil.which("prusa-slicer"):
+        said = [slicer_says(part["file"]) for part in report["parts"]]
+        row["manifold"] = "yes" if all(one.get("manifold") == "yes" for one in said) else "no"
+        row["volume_differs"] = max(abs(float(one.get("volume", "nan")) / part["volume_mm3"] - 1)
+                                    for one, part in zip(said, report["parts"]))
+        if options.slice:
+            row["slices"] = all(slices(pathlib.Path(part["file"])) for part in report["parts"])
+    return row
+
+
 def row_of(part, options):
     stl = pathlib.Path(options.output) / (part["name"] + ".stl")
     report, code, seconds = made(options.design, part, stl)
     row = {"name": part["name"], "design": part["design"], "exit": code, "seconds": f"{seconds:.1f}"}
+    if report and report["problem"] == "nest":
+        return row | (row_of_doll(report, options) if report["layers"] else {})
     if not report or not report["after"]:
         return row
     after, residual = report["after"], report["constraint_residual"]
