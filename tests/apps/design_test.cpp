@@ -94,6 +94,39 @@ TEST_F(Design, WritesEveryFormat) {
   }
 }
 
+TEST_F(Design, PiecesLaidFlatLieOnTheirCutsBesideEachOther) {
+  const BenchAnswer a = design(fmt::format("spin ellipsoid -o {} --json {} --cut auto --pegs 1 --lay-flat {}",
+                                           file("part.stl"), file("report.json"), coarse));
+  ASSERT_EQ(a.code, 0) << a.out;
+  const nlohmann::json j = report();
+  EXPECT_TRUE(j.at("after").at("ok").get<bool>()) << "of the pieces put together";
+  ASSERT_EQ(j.at("files").size(), 4u);
+  double end = -1;
+  for (const auto& name : j.at("files")) {
+    const TriangleMesh mesh = read_mesh(name.get<std::string>());
+    const Box box = bounding_box(mesh);
+    EXPECT_EQ(box.lo[2], 0);
+    EXPECT_GT(std::ranges::count_if(mesh.vertices, [](const Vec3& v) { return v[2] == 0; }), 20)
+        << "of a cap or a peg";
+    EXPECT_GT(box.lo[0], end);
+    end = box.hi[0];
+  }
+}
+
+TEST_F(Design, OfCubesIsWhatItsReportSays) {
+  for (const char* formulation : {"rayrep", "voxel"}) {
+    const BenchAnswer a = design(fmt::format(
+        "spin ellipsoid -o {} --json {} --formulation {} --resolution 32 --fineness 24 --wall 1.5h --force",
+        file("part.stl"), file("report.json"), formulation));
+    ASSERT_EQ(a.code, 0) << a.out;
+    const nlohmann::json j = report();
+    EXPECT_EQ(j.at("formulation"), formulation);
+    EXPECT_TRUE(j.at("after").at("ok").get<bool>()) << a.out;
+    const double volume = reference::mesh_moments(read_mesh(file("part.stl"))).value[S1];
+    EXPECT_NEAR(volume, j.at("after").at("volume_mm3").get<double>(), 1e-6 * volume);
+  }
+}
+
 TEST_F(Design, CutOpenIsStillBalanced) {
   const BenchAnswer a = design(fmt::format("spin ellipsoid -o {} --json {} --cut auto --pegs 1.5 {}",
                                            file("part.stl"), file("report.json"), coarse));

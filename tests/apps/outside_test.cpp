@@ -40,7 +40,9 @@ class Outside : public ::testing::Test {
       parts.push_back({whole.at("files")[0], whole.at("after").at("volume_mm3"), whole.at("triangles")});
     for (const nlohmann::json& cut :
          {make("spin ellipsoid --resolution 40 --fineness 24 --cut auto --pegs 1", "halves"),
-          make("float duck --draft 50% --resolution 40 --fineness 24 --cut 0.3,0.2,0.9,14", "pieces")})
+          make("float duck --draft 50% --resolution 40 --fineness 24 --cut 0.3,0.2,0.9,14", "pieces"),
+          make("float duck --draft 50% --resolution 40 --fineness 24 --cut 0.3,0.2,0.9,14 --lay-flat",
+               "flat")})
       for (const auto& file : cut.at("files")) parts.push_back({file, std::nan(""), std::nan("")});
     const nlohmann::json doll = make(
         "nest duck --fineness 16 --particles 24 --iterations 8 --cells 64 --printer-accuracy 0.8", "doll");
