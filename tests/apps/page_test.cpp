@@ -30,34 +30,46 @@ class Page : public ::testing::Test {
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
+  /// What a browser makes of a page. @param view  behind the #, as cut=0.5
+  [[nodiscard]] std::string opened(const char* name, const char* view) const {
+    return shell(
+               fmt::format("timeout 300 chromium --headless --no-sandbox --use-angle=swiftshader "
+                           "--enable-unsafe-swiftshader --user-data-dir='{0}/profile' --window-size=900,700 "
+                           "--dump-dom 'file://{0}/{1}.html#{2}' 2> /dev/null",
+                           folder_.path.string(), name, view))
+        .out;
+  }
+  /// What the page says of its picture.
+  [[nodiscard]] static double number(const char* name, const std::string& dom) {
+    std::smatch found;
+    return std::regex_search(dom, found, std::regex(fmt::format("data-{}=\"(\\d+)\"", name)))
+               ? std::stod(found[1])
+               : -1;
+  }
+
   const TemporaryFolder folder_;
 };
 
 TEST_F(Page, NeedsNothingButItself) {
   const std::string page = text();
-  for (const char* elsewhere : {" src=", "<link", "@import", "@THREE@", "@REPORT@", "@MESHES@"})
+  for (const char* elsewhere : {" src=", "<link", "@import", "@THREE@", "@REPORT@", "@BODIES@"})
     EXPECT_EQ(page.find(elsewhere), std::string::npos) << elsewhere;
   EXPECT_NE(page.find("\"constraint_residual\""), std::string::npos);
 }
 
 TEST_F(Page, ShowsThePartAndCutsItOpen) {
   KREISEL_NEEDS(installed("chromium"), "chromium");
-  const auto opened = [&](const char* cut) {
-    return shell(
-               fmt::format("timeout 300 chromium --headless --no-sandbox --use-angle=swiftshader "
-                           "--enable-unsafe-swiftshader --user-data-dir='{0}/profile' --window-size=900,700 "
-                           "--dump-dom 'file://{0}/page.html#cut={1}' 2> /dev/null",
-                           folder_.path.string(), cut))
-        .out;
-  };
-  const auto number = [](const char* name, const std::string& dom) {
-    std::smatch found;
-    return std::regex_search(dom, found, std::regex(fmt::format("data-{}=\"(\\d+)\"", name)))
-               ? std::stod(found[1])
-               : -1;
-  };
-  const std::string closed = opened("0"), half = opened("0.5");
-  for (const std::string& dom : {closed, half}) {
+  // A copy of the page whose slider is moved, as by hand, once it has been drawn.
+  {
+    std::string moved = text();
+    moved.insert(moved.rfind("</html>"),
+                 "<script>{ const slider = document.getElementById('cut'); slider.value = 0.5; "
+                 "slider.dispatchEvent(new Event('input')); }</script>\n");
+    std::ofstream(folder_.path / "moved.html") << moved;
+  }
+  const std::string closed = opened("page", "cut=0"), half = opened("page", "cut=0.5"),
+                    moved = opened("moved", "cut=0");
+  for (const std::string& dom : {closed, half, moved}) {
     // The scripts' own text mentions it, too; the attribute is on the body.
     EXPECT_EQ(dom.find("<body data-error"), std::string::npos) << dom.substr(0, 2000);
     EXPECT_GT(number("drawn", dom), 20000) << "pixels that are not background";
@@ -66,6 +78,25 @@ TEST_F(Page, ShowsThePartAndCutsItOpen) {
   }
   EXPECT_EQ(number("open", closed), 0) << "nothing is cut";
   EXPECT_GT(number("open", half), 3000) << "pixels of material that is cut";
+  EXPECT_EQ(number("open", moved), number("open", half)) << "by the slider";
+}
+
+TEST_F(Page, OfANestedDollTakesItApart) {
+  KREISEL_NEEDS(installed("chromium"), "chromium");
+  const BenchAnswer a =
+      design(fmt::format("nest duck --fineness 12 --particles 24 --iterations 6 --cells 48 "
+                         "--printer-accuracy 1 -o {0}/doll.stl --html {0}/page.html --force",
+                         folder_.path.string()));
+  ASSERT_EQ(a.code, 0) << a.out;
+  const std::string whole = opened("page", "cut=0.5"), apart = opened("page", "cut=0.5&apart=1");
+  for (const std::string& dom : {whole, apart}) {
+    EXPECT_EQ(dom.find("<body data-error"), std::string::npos) << dom.substr(0, 2000);
+    EXPECT_NE(dom.find("id=\"verdict\" class=\"\">nests: 1 layer"), std::string::npos);
+    EXPECT_NE(dom.find("<td>layer-1-upper</td>"), std::string::npos);
+  }
+  EXPECT_GT(number("open", whole), 3000);
+  EXPECT_LT(number("open", apart), number("open", whole))
+      << "from farther away, most of it moved out of the cut";
 }
 
 }  // namespace
