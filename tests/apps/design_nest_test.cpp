@@ -23,15 +23,14 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-Vec3 vector(const json& j) {
-  return {j[0].get<double>(), j[1].get<double>(), j[2].get<double>()};
-}
+Vec3 vector(const json& j) { return {j[0].get<double>(), j[1].get<double>(), j[2].get<double>()}; }
 
 class DesignNest : public ::testing::Test {
  protected:
   [[nodiscard]] std::string file(const std::string& name) const { return (folder_.path / name).string(); }
   [[nodiscard]] BenchAnswer run(const std::string& arguments) const {
-    return design(fmt::format("nest {} --particles 24 --iterations 8 --cells 64 --printer-accuracy 0.8", arguments));
+    return design(
+        fmt::format("nest {} --particles 24 --iterations 8 --cells 64 --printer-accuracy 0.8", arguments));
   }
   [[nodiscard]] json report() const {
     return json::parse(std::ifstream(file("report.json")), nullptr, false);
@@ -116,7 +115,7 @@ TEST_F(DesignNest, RefusesInOneLine) {
   for (const Case& c :
        {Case{"duck -o " + file("a.stl") + " --wall 0.2 --size 60", "thinner than the printer's accuracy"},
         Case{"duck -o " + file("a.stl") + " --wall 3h", "expected mm, or percent"},
-                Case{"duck -o " + file("old.stl"), "exists; expected a new name, or --force"},
+        Case{"duck -o " + file("old.stl"), "exists; expected a new name, or --force"},
         Case{"duck -o " + file("none/a.stl"), "expected an existing folder"},
         Case{"duk -o " + file("a.stl"), "did you mean 'duck'"}, Case{"duck -o " + file("a.txt"), "a.txt"}}) {
     const BenchAnswer a = run(c.arguments);
