@@ -17,8 +17,7 @@
 #include "fabricate/wall.hpp"
 #include "mesh/check.hpp"
 #include "mesh/components.hpp"
-#include "mesh/read.hpp"
-#include "mesh/separate_edges.hpp"
+#include "mesh/moved.hpp"
 #include "nest/layers.hpp"
 #include "run/nest_parts.hpp"
 #include "solve/interrupt.hpp"
@@ -82,11 +81,6 @@ nest::Layers search(const NestedSpec& spec, const Shapes& shapes, device::Device
   return found;
 }
 
-TriangleMesh moved(TriangleMesh mesh, const Eigen::Affine3d& motion) {
-  for (Vec3& v : mesh.vertices) v = motion * v;
-  return mesh;
-}
-
 WayOff way_off(const nest::Cut& cut, int half) {
   const double side = half == 0 ? 1 : -1;
   return {side * cut.normal, side * cut.offset, cut.removal(half)};
@@ -118,25 +112,15 @@ class Builder {
   /// Reads what was written, and measures it. @return  what is wrong, if anything
   std::string verify(std::vector<WrittenMaterial> written) {
     std::string wrong;
-    std::filesystem::path open;
-    std::vector<TriangleMesh> objects;
-    std::size_t next = 0;
+    WrittenReader reader;
     for (std::size_t i = 0; i < written.size(); ++i) {
       WrittenMaterial& material = written[i];
-      if (material.file != open) {
-        objects = read_objects(material.file);
-        open = material.file;
-        next = 0;
-      }
-      TriangleMesh mesh = std::move(objects.at(next++));
-      material.triangles = mesh.triangles.size();
-      (void)separate_edges(mesh);  // STL has no vertices of its own
+      TriangleMesh mesh = reader.next(material);
       try {
         require_solid(mesh, material.name);
       } catch (const InputError& error) {
         if (wrong.empty()) wrong = fmt::format("the written mesh is not a solid: {}", error.what());
       }
-      mesh = moved(std::move(mesh), material.laid.inverse());
       material.grams = 1e-3 * material.density * reference::mesh_moments(mesh).value[S1];
       NestedPart& part = nested_.parts[i];
       part.shells = shells(mesh).size();
@@ -241,6 +225,7 @@ Vec3 Nested::apart(const NestedPart& part) const {
 
 Nested make_nested(const NestedSpec& spec, const Progress& progress) {
   if (!(spec.density > 0)) throw InputError(fmt::format("density {}; expected a number > 0", spec.density));
+  require_valid(spec.config);
   Nested nested;
   nested.spec = spec;
   Shapes shapes = load(spec.config);
@@ -253,7 +238,6 @@ Nested make_nested(const NestedSpec& spec, const Progress& progress) {
   device::Device device(spec.config.device);
   nested.provenance = make_provenance(device);
   const Stopwatch searching;
-  require_valid(nested.spec.config);
   const nest::Layers found = search(nested.spec, shapes, device, progress);
   nested.search_seconds = searching.seconds();
   nested.ended = found.ended;
@@ -264,7 +248,6 @@ Nested make_nested(const NestedSpec& spec, const Progress& progress) {
   Builder builder(nested, shapes, found);
   const std::vector<MaterialPart> parts = builder.parts();
   stop_if_interrupted();
-
   judge(nested, builder.verify(write_parts(spec.file, parts)));
   nested.parts_seconds = making.seconds();
   return nested;

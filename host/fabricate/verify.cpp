@@ -10,6 +10,7 @@
 #include "fabricate/lay_flat.hpp"
 #include "mesh/check.hpp"
 #include "mesh/format.hpp"
+#include "mesh/moved.hpp"
 #include "mesh/read.hpp"
 #include "mesh/separate_edges.hpp"
 #include "mesh/write.hpp"
@@ -37,27 +38,28 @@ std::vector<WrittenMaterial> write_parts(const std::filesystem::path& path,
   return written;
 }
 
+TriangleMesh WrittenReader::next(WrittenMaterial& material) {
+  if (material.file != open_) {
+    objects_ = read_objects(material.file);
+    open_ = material.file;
+    next_ = 0;
+  }
+  if (next_ == objects_.size())
+    throw InputError(fmt::format("{}: {} objects, expected one more", open_.string(), next_));
+  TriangleMesh mesh = moved(std::move(objects_[next_++]), material.laid.inverse());
+  material.triangles = mesh.triangles.size();
+  // STL has no vertices of its own: where parts of the body touch along an edge, theirs became one.
+  (void)separate_edges(mesh);
+  return mesh;
+}
+
 WrittenPart verify_written(std::vector<WrittenMaterial> materials, const Body& body, const Problem& problem) {
   WrittenPart part;
   part.materials = std::move(materials);
-  std::filesystem::path open;
-  std::vector<TriangleMesh> objects;
-  std::size_t next = 0;
+  WrittenReader reader;
   for (WrittenMaterial& material : part.materials) {
     try {
-      if (material.file != open) {
-        objects = read_objects(material.file);
-        open = material.file;
-        next = 0;
-      }
-      if (next == objects.size())
-        throw InputError(fmt::format("{}: {} objects, expected one more", open.string(), next));
-      TriangleMesh mesh = std::move(objects[next++]);
-      material.triangles = mesh.triangles.size();
-      const Eigen::Affine3d back = material.laid.inverse();
-      for (Vec3& v : mesh.vertices) v = back * v;
-      // STL has no vertices of its own: where parts of the body touch along an edge, theirs became one.
-      (void)separate_edges(mesh);
+      const TriangleMesh mesh = reader.next(material);
       require_solid(mesh, material.file.filename().string());
       const Moments own =
           material.density / body.density * reference::mesh_moments(to_body(body.frame, mesh)).value;

@@ -38,6 +38,20 @@ struct WrittenPart {
 /// Where a part of that name goes. @throws InputError  no mesh format
 [[nodiscard]] std::filesystem::path file_of_part(const std::filesystem::path& path, std::string_view name);
 
+/// Reads written parts in their order, each file once.
+class WrittenReader {
+ public:
+  /// The next part where it belongs, model coordinates, with vertices of its own where parts of its surface
+  /// merely touch; says of `material` how many triangles it has.
+  /// @throws InputError  a file that cannot be read, or holds no more
+  [[nodiscard]] TriangleMesh next(WrittenMaterial& material);
+
+ private:
+  std::filesystem::path open_;
+  std::vector<TriangleMesh> objects_;
+  std::size_t next_ = 0;
+};
+
 /// Reads the files again, checks that each is a watertight, oriented solid, integrates its moments on the
 /// host in double (not by the kernels that made it), adds them up by their densities and asks the problem for
 /// its verdict. A mesh that fails the checks gives a verdict that is not ok and says why.

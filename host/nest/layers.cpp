@@ -9,6 +9,7 @@
 #include "error.hpp"
 #include "mesh/components.hpp"
 #include "mesh/distance.hpp"
+#include "mesh/moved.hpp"
 #include "nest/certify.hpp"
 #include "offset/offset_surface.hpp"
 #include "parallel.hpp"
@@ -18,11 +19,6 @@ namespace kreisel::nest {
 namespace {
 
 double longest_side(const TriangleMesh& mesh) { return bounding_box(mesh).extent().maxCoeff(); }
-
-TriangleMesh moved(TriangleMesh mesh, const Eigen::Affine3d& motion) {
-  for (Vec3& v : mesh.vertices) v = motion * v;
-  return mesh;
-}
 
 void require_valid(const std::vector<TriangleMesh>& shapes, const LayersSpec& spec) {
   if (shapes.empty()) throw InputError("layers of no shape; expected one at least");
