@@ -77,7 +77,9 @@ class Finishing {
 
 Design make_design(const DesignSpec& spec, const Progress& progress) {
   Finishing finishing(spec);
-  SolvedRun run(spec.config, progress);
+  RunConfig config = spec.config;
+  config.wall.to_corners = true;  // a voxel whose centre keeps the wall would stick out into it
+  SolvedRun run(config, progress);
   const double wall = run.result.wall * run.result.length_mm;
   if (wall < spec.printer_accuracy)
     throw InputError(

@@ -84,8 +84,8 @@ Columns make_columns(const Body& body, const GridSpec& spec, const Wall& wall) {
   domain.grid = make_grid(bounding_box(body.local), spec);
   const Grid& grid = domain.grid;
   domain.wall = in_body_units(wall, body, grid);
-  // The corner of a voxel is half a space diagonal from its centre.
-  if (domain.wall < std::sqrt(0.75) * grid.h)
+  const double corner = std::sqrt(0.75) * grid.h;  // of a voxel from its centre
+  if (!wall.to_corners && domain.wall < corner)
     throw InputError(
         fmt::format("wall {} is {:.2f} cells; expected at least 0.87, so that no void pierces the skin "
                     "(a finer --resolution allows a thinner wall)",
@@ -95,7 +95,7 @@ Columns make_columns(const Body& body, const GridSpec& spec, const Wall& wall) {
   const SurfaceDistance distance(body.local);
   // A flat side on the grid puts a whole layer of centres exactly as deep as the wall; round-off must not
   // decide for each of them.
-  const double shell = domain.wall - 1e-9 * grid.h;
+  const double shell = domain.wall + (wall.to_corners ? corner : 0) - 1e-9 * grid.h;
   std::vector<RowsOfColumns> parts(
       static_cast<std::size_t>((grid.n[1] + CellRows::most_rows - 1) / CellRows::most_rows));
   parallel_for(parts.size(), [&](std::size_t i) {

@@ -14,6 +14,8 @@ namespace kreisel {
 struct Wall {
   double value = 1.5;
   enum Unit { cells, millimetres, percent } unit = cells;  ///< percent of the longest side of the body
+  /// Whether a voxel must keep it with all of itself; with its centre otherwise, as in the papers.
+  bool to_corners = false;
 };
 
 /// "1.5h" (cells), "2%" (of the longest side) or "1.2" (mm).
@@ -33,7 +35,7 @@ struct Interval {
 /// Interior of a body as voxels and as rays along z. [RayRep, s. 3.4]
 ///
 /// A voxel belongs to the solid when its centre is inside the mesh, and to the shell when its centre is
-/// nearer to the surface than the wall; the rest is interior. A ray stands for an h x h column, so voxels and
+/// nearer to the surface than the wall (or any of it may be: Wall::to_corners); the rest is interior. A ray stands for an h x h column, so voxels and
 /// rays describe the same set.
 struct Columns {
   Grid grid;
@@ -44,7 +46,8 @@ struct Columns {
   Moments interior = Moments::Zero();  ///< of all interior voxels at unit density, body units
 };
 
-/// @throws InputError  a wall under 0.87 cells (a void's corner could pierce the skin), or no interior left
+/// @throws InputError  a wall to centres under 0.87 cells (a void's corner could pierce the skin), or no
+///                     interior left
 [[nodiscard]] Columns make_columns(const Body& body, const GridSpec& spec, const Wall& wall);
 
 }  // namespace kreisel

@@ -31,7 +31,7 @@ class CavityMesher {
   /// @param wall  body units
   /// @param cell  edge of the lattice's cubes, body units
   /// @throws InputError  not 0 < cell <= wall; more than 1024 cells along the longest side; a body that is
-  ///                     not closed
+  ///                     not closed; an interior without a point of the lattice
   CavityMesher(const Body& body, double wall, double cell);
 
   /// @param q  coefficients of 1 x y z xy yz xz xx yy zz, body frame and units

@@ -78,7 +78,10 @@ INSTANTIATE_TEST_SUITE_P(All, DesignOf,
                                                 "spins: centre of mass 0.000 mm off the axis"},
                                            Case{"yoyo", "cuboid", "--axis 0.1,0,1 --axle 3", "spins: "},
                                            Case{"stand", "teapot", "", "stands: "},
-                                           Case{"float", "duck", "--draft 50%", "floats: "}));
+                                           Case{"float", "duck", "--draft 50%", "floats: "},
+                                           Case{"spin", "ellipsoid", "--formulation octree", "spins: "},
+                                           Case{"spin", "ellipsoid", "--formulation rayrep", "spins: "},
+                                           Case{"stand", "teapot", "--formulation voxel", "stands: "}));
 
 TEST_F(Design, WritesEveryFormat) {
   double mass = 0;
@@ -216,9 +219,13 @@ INSTANTIATE_TEST_SUITE_P(
                       Mistake{"spin ellipsoid -o part.xyz", "expected"},
                       Mistake{"spin ellipsoid -o no/such/part.stl", "expected an existing folder"},
                       Mistake{"spin ellipsoid -o /proc/part.stl", "/proc"},
+                      Mistake{"spin ellipsoid -o part.stl --json /proc/report.json", "/proc"},
+                      Mistake{"spin ellipsoid -o part.stl --wall 40%", "leaves no interior"},
                       Mistake{"spin ellipsoid -o part.stl --wall 0.2 --resolution 200",
                               "thinner than the printer's accuracy"},
                       Mistake{"spin ellipsoid -o part.stl --wall 50%", "leaves no interior"},
+                      Mistake{"yoyo cuboid -o part.stl --wall 14.99 --resolution 48",
+                              "too small to be meshed in cells of"},
                       Mistake{"spin ellipsoid -o part.stl --cut 1,2", "expected auto, or a plane"},
                       Mistake{"spin ellipsoid -o part.stl --cut 0,0,1,900 --resolution 24",
                               "misses the part"},

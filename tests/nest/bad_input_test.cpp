@@ -78,6 +78,19 @@ TEST(BadInput, TheLargestViewIsDrawnInTurns) {
   EXPECT_TRUE(test->check(centred(nesting, 0.9)).valid());
 }
 
+/// Its layers take 8.5 GiB and minutes to draw: of a device that has them, only that they are had is tested.
+TEST(BadInput, PeelingTheLargestViewIsRefusedByADeviceThatCannotHoldItsLayers) {
+  const Nesting nesting(ball(6), ball(6));
+  const double layers = 2.0 * 16384 * 16384 * 17;  // bytes
+  if (double(test_device().info().memory_bytes) * 0.8 < layers) {
+    expect_refusal([&] { (void)make_feasibility("peel", test_device(), nesting, 16384); },
+                   "resolution 16384: peeling keeps 8.5 GiB", {"expected a coarser one, or envelope"});
+    return;
+  }
+  const auto test = make_feasibility("peel", test_device(), nesting, 16384);
+  EXPECT_EQ(test->check(centred(nesting, 3)).fault, Fault::outside);
+}
+
 TEST(BadInput, OneParticleAndNoIterationsAreASearchAllTheSame) {
   const Nesting nesting(ball(6), ball(6));
   OptimiseSpec spec;
