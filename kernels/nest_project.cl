@@ -28,11 +28,13 @@ kernel void nest_project(NestRaster p, const global NestView* view, const global
     const float16 x = row(m, vx, vy, vz), y = row(m + 4, vx, vy, vz), w = row(m + 8, vx, vy, vz);
     const float16 side = w - fma((float16)mine->plane[1], x, fma((float16)mine->plane[2], y, (float16)mine->plane[0]));
     const float width = p.width;
-    const int16 px = steps(x, 4 * width), py = steps(y, 4 * width);
-    global int4* out = point + k * (size_t)p.vertices + first;
-    for (int i = 0; i < 16; ++i) {
-      const int4 v = {((int*)&px)[i], ((int*)&py)[i], ((int*)&w)[i], ((int*)&side)[i]};
-      out[i] = v;
+    const int16 px = steps(x, 4 * width), py = steps(y, 4 * width), pw = as_int16(w), ps = as_int16(side);
+    global int* out = (global int*)(point + k * (size_t)p.vertices + first);
+    for (int upper = 0; upper < 2; ++upper) {
+      const int16 xy = (upper ? (int16)(px.hi, py.hi) : (int16)(px.lo, py.lo)).s08192a3b4c5d6e7f;
+      const int16 ws = (upper ? (int16)(pw.hi, ps.hi) : (int16)(pw.lo, ps.lo)).s08192a3b4c5d6e7f;
+      vstore16(((int16)(xy.lo, ws.lo)).s018923ab45cd67ef, 2 * upper, out);
+      vstore16(((int16)(xy.hi, ws.hi)).s018923ab45cd67ef, 2 * upper + 1, out);
     }
     if (first >= p.inner && any(~((x >= 0) & (y >= 0) & (x <= width) & (y <= width)))) atomic_min(outside, group);
   }

@@ -34,8 +34,6 @@ typedef struct {
   float w, gx, gy;        /* depth at the first corner, and its slopes a pixel */
   float least, most;      /* of its corners' depths */
   int front;
-  int single;             /* its box holds the centre of one pixel only: px, py */
-  int px, py;
 } NestTriangle;
 
 /* 0 when it has no pixel's centre beyond the plane, or is seen edge-on. `corner` has x, y in steps, w, and how far it is
@@ -51,8 +49,6 @@ static inline int nest_triangle(NestTriangle* t, int4 p, int4 q, int4 r, int col
   t->tx0 = max(px0 >> 2, column0), t->tx1 = min(px1 >> 2, column1);
   t->ty0 = max(py0 >> 2, row0), t->ty1 = min(py1 >> 2, row1);
   if (t->tx0 > t->tx1 || t->ty0 > t->ty1) return 0;
-  t->single = px0 == px1 && py0 == py1;
-  t->px = px0, t->py = py0;
   const long area = (long)(q.x - p.x) * (r.y - p.y) - (long)(r.x - p.x) * (q.y - p.y);
   if (area == 0) return 0;
   t->front = area < 0;
@@ -93,19 +89,6 @@ static inline float16 nest_fragments(const NestTriangle* t, const float plane[3]
   w = clamp(w, (float16)t->least, (float16)t->most);
   const float cut = fma(plane[1], x, fma(plane[2], y, plane[0]));
   *covered = in & (w > fma((float16)plane[1], LANE_X, fma((float16)plane[2], LANE_Y, (float16)cut)));
-  return w;
-}
-
-/* The same for the one pixel of a single triangle: lane (px & 3, py & 3) of its tile, to the last bit. */
-static inline float nest_fragment(const NestTriangle* t, const float plane[3], int* covered) {
-  const float lx = t->px & 3, ly = t->py & 3;
-  *covered = 1;
-  for (int k = 0; k < 3; ++k) *covered &= fma(t->ax[k], lx, fma(t->ay[k], ly, (float)t->e[k])) >= 0;
-  const float x = 4 * t->tx0 + 0.5f, y = 4 * t->ty0 + 0.5f;
-  const float base = fma(t->gx, x - t->x0 * (1.0f / NEST_STEPS), fma(t->gy, y - t->y0 * (1.0f / NEST_STEPS), t->w));
-  const float w = clamp(fma(t->gx, lx, fma(t->gy, ly, base)), t->least, t->most);
-  const float cut = fma(plane[1], x, fma(plane[2], y, plane[0]));
-  *covered &= w > fma(plane[1], lx, fma(plane[2], ly, cut));
   return w;
 }
 

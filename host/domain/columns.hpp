@@ -35,8 +35,8 @@ struct Interval {
 /// Interior of a body as voxels and as rays along z. [RayRep, s. 3.4]
 ///
 /// A voxel belongs to the solid when its centre is inside the mesh, and to the shell when its centre is
-/// nearer to the surface than the wall (or any of it may be: Wall::to_corners); the rest is interior. A ray stands for an h x h column, so voxels and
-/// rays describe the same set.
+/// nearer to the surface than the wall (or any of it may be: Wall::to_corners); the rest is interior. A ray
+/// stands for an h x h column, so voxels and rays describe the same set.
 struct Columns {
   Grid grid;
   double wall = 0;  ///< body units

@@ -159,10 +159,10 @@ CavityMesher::CavityMesher(const Body& body, double wall, double cell)
       distance_(body.local) {
   for (const int parity : {0, 1}) mark_depth(body, depth_ + margin * cell, lattice_, parity, deep_);
   if (std::ranges::find(deep_, true) == deep_.end())
-    throw InputError(
-        fmt::format("wall of {:.4g} mm leaves an interior that is too small to be meshed in cells of {:.2g} mm; "
-                    "expected a thinner wall or a finer grid",
-                    wall * body.frame.length, cell * body.frame.length));
+    throw InputError(fmt::format(
+        "wall of {:.4g} mm leaves an interior that is too small to be meshed in cells of {:.2g} mm; "
+        "expected a thinner wall or a finer grid",
+        wall * body.frame.length, cell * body.frame.length));
 }
 
 TriangleMesh CavityMesher::operator()(const Moments& q) const {

@@ -58,6 +58,7 @@ std::vector<std::uint32_t> corners_of(const TriangleMesh& outer, const TriangleM
   for (const Triangle& t : outer.triangles) out.insert(out.end(), t.begin(), t.end());
   for (const Triangle& t : inner.triangles)
     for (const std::uint32_t v : t) out.push_back(std::uint32_t(outer.vertices.size()) + v);
+  out.resize(out.size() + 15 * 3);  // nest_raster16.h reads whole groups of 16
   return out;
 }
 

@@ -94,7 +94,8 @@ TEST(Columns, MeasureAWallInCellsMillimetresOrPercentAlike) {
 
 TEST(Columns, KeepAWallToCornersWithAllOfEachVoxel) {
   // Centres are 0.5, 1.5, 2.5 cells deep, corners 0.87 less.
-  for (const auto& [cells, layers] : {std::pair{0.01, 1}, std::pair{0.6, 1}, std::pair{0.65, 2}, std::pair{1.6, 2}}) {
+  for (const auto& [cells, layers] :
+       {std::pair{0.01, 1}, std::pair{0.6, 1}, std::pair{0.65, 2}, std::pair{1.6, 2}}) {
     const Columns domain = make_columns(brick(), resolution(10), {cells, Wall::cells, true});
     expect_bricks_interior(domain, layers);
     EXPECT_NEAR(domain.wall, cells * domain.grid.h, 1e-15) << "as asked for";

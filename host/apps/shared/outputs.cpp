@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -21,9 +22,14 @@ void require_writable(const std::string& file, const char* option) {
         fmt::format("{} {}; expected an existing folder, {} is none", option, file, folder.string()));
   if (std::filesystem::is_directory(file, ignored))
     throw InputError(fmt::format("{} {} is a folder; expected the name of a file", option, file));
-  if (::access(folder.c_str(), W_OK) != 0)
+  // By a file itself: permissions do not tell of all file systems whether they take one.
+  std::string probe = (folder / ".kreisel-XXXXXX").string();
+  const int opened = ::mkstemp(probe.data());
+  if (opened < 0)
     throw InputError(fmt::format("{} {}: folder {}: {}; expected write permission", option, file,
                                  folder.string(), std::strerror(errno)));
+  ::close(opened);
+  ::unlink(probe.c_str());
 }
 
 std::string output_error() {
