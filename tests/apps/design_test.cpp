@@ -35,20 +35,24 @@ class Design : public ::testing::Test {
 constexpr const char* coarse = "--resolution 48 --fineness 24 --force";
 
 struct Case {
-  const char *problem, *model, *options, *says;
+  const char *problem, *model, *options, *says, *formulation = "quadric";
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.problem << ' ' << c.model; }
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.problem << ' ' << c.model << " by " << c.formulation;
+}
 
 class DesignOf : public Design, public ::testing::WithParamInterface<Case> {};
 
 TEST_P(DesignOf, IsWhatItsReportSays) {
-  const auto& [problem, model, options, says] = GetParam();
-  const BenchAnswer a = design(fmt::format("{} {} -o {} --json {} {} {}", problem, model, file("part.stl"),
-                                           file("report.json"), coarse, options));
+  const auto& [problem, model, options, says, formulation] = GetParam();
+  const BenchAnswer a =
+      design(fmt::format("{} {} -o {} --json {} --formulation {} {} {}", problem, model, file("part.stl"),
+                         file("report.json"), formulation, coarse, options));
   ASSERT_EQ(a.code, 0) << a.out;
   EXPECT_NE(a.out.find(says), std::string::npos) << a.out;
   const nlohmann::json j = report();
+  EXPECT_EQ(j.at("formulation"), formulation);
   EXPECT_TRUE(j.at("after").at("ok").get<bool>()) << a.out;
   const auto& residual = j.at("constraint_residual");
   EXPECT_LE(residual.at("centre_of_mass_mm").get<double>(), 0.01);
@@ -79,9 +83,10 @@ INSTANTIATE_TEST_SUITE_P(All, DesignOf,
                                            Case{"yoyo", "cuboid", "--axis 0.1,0,1 --axle 3", "spins: "},
                                            Case{"stand", "teapot", "", "stands: "},
                                            Case{"float", "duck", "--draft 50%", "floats: "},
-                                           Case{"spin", "ellipsoid", "--formulation octree", "spins: "},
-                                           Case{"spin", "ellipsoid", "--formulation rayrep", "spins: "},
-                                           Case{"stand", "teapot", "--formulation voxel", "stands: "}));
+                                           Case{"spin", "ellipsoid", "", "spins: ", "octree"},
+                                           Case{"spin", "ellipsoid", "", "spins: ", "rayrep"},
+                                           Case{"spin", "ellipsoid", "", "spins: ", "voxel"},
+                                           Case{"stand", "teapot", "", "stands: ", "voxel"}));
 
 TEST_F(Design, WritesEveryFormat) {
   double mass = 0;

@@ -59,6 +59,35 @@ TEST(Feasibility, PeelingAndEnvelopesAgreeOnEveryPixelOfRandomPlacements) {
   EXPECT_GT(valid, 10u);
 }
 
+/// What is drawn 16 triangles at a time (nest_raster16.h) has a way of its own for those of one pixel, and
+/// leaves those of over 64 to the other way.
+TEST(Feasibility, PeelingAndEnvelopesAgreeOnTrianglesFarSmallerAndFarLargerThanAPixel) {
+  struct Case {
+    TriangleMesh outer, inner;
+    int resolution;
+  };
+  const TriangleMesh box = box_mesh(Vec3::Constant(-1), Vec3::Constant(1));
+  Random random(3);
+  for (const Case& c :
+       {Case{ball(40), ball(40), 61}, Case{ball(1), box, 512}, Case{ball(40), ball(1), 300}}) {
+    const Nesting nesting(c.outer, c.inner);
+    Peel peel(test_device(), nesting, c.resolution);
+    Envelope envelope(test_device(), nesting, c.resolution);
+    std::size_t bad = 0, differ = 0;
+    for (int k = 0; k < 24; ++k) {
+      const Placement placement = random_placement(random, k == 0);
+      const FaultMap peeled = peel.map(placement), drawn = envelope.map(placement);
+      ASSERT_EQ(peeled.size(), drawn.size());
+      for (std::size_t i = 0; i < drawn.size(); ++i) {
+        bad += drawn[i] != NEST_GOOD;
+        differ += (peeled[i] != NEST_GOOD) != (drawn[i] != NEST_GOOD);
+      }
+    }
+    EXPECT_EQ(differ, 0u) << c.resolution;
+    EXPECT_GT(bad, 500u) << c.resolution << ": enough that agreement says something";
+  }
+}
+
 TEST(Feasibility, PixelsAreThoseOfSortedFragmentsInDouble) {
   const auto shapes = small_shapes();
   Random random(2);

@@ -13,6 +13,7 @@
 
 #include "error.hpp"
 #include "record/hdf5_file.hpp"
+#include "refusal.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel {
@@ -327,6 +328,10 @@ TEST_F(Record, LeavesNothingBehindWhenItCannotBeWritten) {
   EXPECT_THROW(write_record(folder_.path / "run.h5", made_by_hand()), InputError);
   EXPECT_THROW(write_text(folder_.path / "run.h5", "{}"), InputError);
   EXPECT_EQ(files(), 2u);
+  // A file system that takes no files, from root neither.
+  expect_refusal([] { write_record("/proc/run.h5", made_by_hand()); }, "/proc/run.h5: its folder refuses",
+                 {});
+  expect_refusal([] { write_text("/proc/run.json", "{}"); }, "/proc/run.json: its folder refuses", {});
 }
 
 /// The library itself does not survive a write that fails.
