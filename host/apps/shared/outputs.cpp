@@ -23,7 +23,7 @@ void require_writable(const std::string& file, const char* option) {
   if (std::filesystem::is_directory(file, ignored))
     throw InputError(fmt::format("{} {} is a folder; expected the name of a file", option, file));
   // By a file itself: permissions do not tell of all file systems whether they take one.
-  std::string probe = (folder / ".kreisel-XXXXXX").string();
+  std::string probe = (folder / ".kreisel-XXXXXX").string();  // mkstemp puts a free name for the X
   const int opened = ::mkstemp(probe.data());
   if (opened < 0)
     throw InputError(fmt::format("{} {}: folder {}: {}; expected write permission", option, file,
