@@ -7,6 +7,7 @@
 #include "experiment/certificate_table.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/inertia_table.hpp"
+#include "experiment/linear_solver_table.hpp"
 #include "experiment/maps_table.hpp"
 #include "experiment/nest_table.hpp"
 #include "experiment/octree_table.hpp"
@@ -32,6 +33,8 @@ const std::vector<TableKind>& table_kinds() {
       {"settings", "a block a body, a row a setting: what does it gain, what does it cost", settings_tables},
       {"formulations", "a block a body, a row a formulation: what it takes and what it reaches",
        formulations_tables},
+      {"linear-solvers", "a row a solve: seconds and iterations by MUMPS and by our own linear solver",
+       linear_solver_tables},
       {"certificate", "a row a run: certified bound, gap, boxes, seconds", certificate_tables},
       {"maps", "a row a map of orientations and draft: how much is feasible, which axis is best",
        maps_tables},

@@ -55,7 +55,7 @@ Provenance make_provenance(const device::Device& device) {
   p.device_fp64 = device.info().fp64;
   p.single_precision = device.single();
   p.ipopt_version = ipopt_version();
-  p.linear_solver = "MUMPS";
+  p.linear_solver = "arrow, MUMPS";  // which one solved is among the solver's settings
   p.blas = blas_name();
   p.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   return p;

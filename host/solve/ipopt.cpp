@@ -6,89 +6,21 @@
 #include <IpIpoptApplication.hpp>
 #include <IpSolveStatistics.hpp>
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <memory>
+#include <mutex>
 #include <new>
 #include <utility>
 
 #include "error.hpp"
 #include "memory.hpp"
-#include "nearest.hpp"
+#include "solve/arrow_in_ipopt.hpp"
+#include "solve/ipopt_settings.hpp"
 #include "solve/linear_algebra.hpp"
 #include "solve/nlp.hpp"
 #include "stopwatch.hpp"
 
 namespace kreisel {
 namespace {
-
-using Settings = std::map<std::string, std::string>;
-
-/// Ipopt's options before the user's own, and the reach of natural_scale(); found by measuring
-/// (docs/rayrep.md).
-struct Defaults {
-  Settings settings;
-  double reach;
-};
-
-/// `linear`: of the moments in the variables; `exact`: the lifted form.
-Defaults defaults_for(bool linear, bool exact) {
-  // MUMPS' own ordering wants tens of gigabytes for the arrow-shaped systems of the voxel formulation;
-  // approximate minimum degree (0) takes the diagonal first. tol is relative to the scaled objective; the
-  // constraints have a tolerance of their own, in body units.
-  Defaults d{{{"print_level", "0"},
-              {"sb", "yes"},
-              {"mumps_pivot_order", "0"},
-              {"constr_viol_tol", "1e-9"},
-              {"tol", !linear ? "1e-5"
-                      : exact ? "1e-7"
-                              : "1e-6"}},
-             linear ? 1e-2 : 10.0};
-  return d;
-}
-
-/// For a solve that goes on from another: its own start is not to be pushed off the central path.
-const Settings& warm_settings() {
-  static const Settings settings = {{"warm_start_init_point", "yes"},
-                                    {"warm_start_bound_push", "1e-9"},
-                                    {"warm_start_bound_frac", "1e-9"},
-                                    {"warm_start_mult_bound_push", "1e-12"}};
-  return settings;
-}
-
-template <class T>
-bool parse(const std::string& text, T& value) {
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return status == std::errc() && end == text.data() + text.size();
-}
-
-void set_option(Ipopt::IpoptApplication& app, const std::string& name, const std::string& value) {
-  const auto option = app.RegOptions()->GetOption(name);
-  if (!IsValid(option)) {
-    std::vector<std::string> names;
-    for (const auto& [known, entry] : app.RegOptions()->RegisteredOptionsList()) names.push_back(known);
-    const std::string meant = nearest(name, names);
-    throw InputError(fmt::format("ipopt.{} = {}; Ipopt has no option of that name{}", name, value,
-                                 meant.empty() ? "" : fmt::format(" (did you mean {}?)", meant)));
-  }
-  bool good = false;
-  int integer = 0;
-  double number = 0;
-  switch (option->Type()) {
-    case Ipopt::OT_Integer:
-      good = parse(value, integer) && option->IsValidIntegerSetting(integer) &&
-             app.Options()->SetIntegerValue(name, integer);
-      break;
-    case Ipopt::OT_Number:
-      good = parse(value, number) && option->IsValidNumberSetting(number) &&
-             app.Options()->SetNumericValue(name, number);
-      break;
-    default:
-      good = option->IsValidStringSetting(value) && app.Options()->SetStringValue(name, value);
-  }
-  if (!good)
-    throw InputError(
-        fmt::format("ipopt.{} = {} is not a value Ipopt takes: {}", name, value, option->ShortDescription()));
-}
 
 Termination termination_of(Ipopt::ApplicationReturnStatus status) {
   switch (status) {
@@ -134,36 +66,6 @@ std::string message_of(Ipopt::ApplicationReturnStatus status) {
   }
 }
 
-/// Factor on f that makes its largest derivative at the start `reach`.
-///
-/// One variable moves one voxel of perhaps 1e5, so f's derivatives are about 1e-5 while Ipopt's first barrier
-/// parameter (0.1) and multipliers (1) take them to be about 1. Unscaled, the barrier drowns f for the first
-/// iterations and the last barrier parameter leaves a gap of n * 1e-9 / 1e-5. Ipopt's own scaling only
-/// shrinks.
-/// The margin has no slope in x; the constraints that bound it have.
-double natural_scale(const Task& task, const std::vector<double>& start, double reach) {
-  const Moments s = task.mass.total(task.formulation.moments(start));
-  std::vector<Moments> forms;
-  if (task.problem.goal() == Goal::margin)
-    for (const auto& row : task.problem.constraints().matrix.rowwise()) forms.emplace_back(row.transpose());
-  else
-    forms.push_back(task.problem.gradient(s));
-  double largest = 0;
-  const bool sizes_differ = task.formulation.refines();
-  std::vector<double> gradient(start.size());
-  for (Moments& form : forms) {
-    form *= task.mass.contrast;
-    task.formulation.pull_back(start, {&form, 1}, gradient);
-    for (double& g : gradient) g = std::abs(g);
-    // Where cells differ in size by powers of two, so do their derivatives by powers of eight. What counts
-    // are the many small ones.
-    const auto counted = sizes_differ ? gradient.begin() + gradient.size() / 2 : gradient.end() - 1;
-    std::ranges::nth_element(gradient, counted);
-    largest = std::max(largest, *counted);
-  }
-  return largest > 0 ? reach / largest : 1.0;
-}
-
 constexpr double gibi = 1 << 30;
 
 /// What Ipopt and MUMPS take, bytes. They use some 2 kB a variable (measured: 1.8 kB a voxel, 1.6 kB an end
@@ -189,41 +91,43 @@ void require_memory(const Task& task, const Memory& memory) {
   if (memory.limited) reserve_blas_buffers();
 }
 
+/// Gives Ipopt its options, and our linear solver where it is the one.
+std::unique_ptr<ArrowInIpopt> initialise(Ipopt::IpoptApplication& app, const IpoptSettings& settings) {
+  std::unique_ptr<ArrowInIpopt> arrow;
+  for (const auto& [name, value] : settings) {
+    const bool ours = name == "linear_solver" && value == "arrow";
+    set_ipopt_option(app, name, ours ? "ma27" : value);
+    if (!ours) continue;
+    arrow = std::make_unique<ArrowInIpopt>();
+    // Its workspaces hold nothing but the values.
+    app.Options()->SetNumericValue("ma27_la_init_factor", 1);
+    app.Options()->SetNumericValue("ma27_liw_init_factor", 1);
+  }
+  // Ctrl-C is ours, so Ipopt reads no options file either: everything that counts is in the record.
+  app.Options()->SetStringValue("option_file_name", "");
+  if (app.Initialize("") != Ipopt::Solve_Succeeded) throw InputError("Ipopt refuses its options");
+  return arrow;
+}
+
 /// @param held  variables that stay at their bound, of a solve that goes on; empty: to be found
 Outcome solve(const Task& task, const SolverOptions& options, std::vector<std::uint8_t> held = {}) {
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> app = new Ipopt::IpoptApplication(false);
   app->RethrowNonIpoptException(true);
-  Settings settings = options.own;
-  settings.insert({"hessian_approximation", "exact"});  // what the user gave stays, here and below
-  const bool lifted = settings.at("hessian_approximation") == "exact";
-  const bool linear = task.formulation.moments_are_linear();
-  const Defaults defaults = defaults_for(linear, lifted);
-  // A regulariser ties neighbours: no longer an arrow alone, but one whose dense rows are to come last.
-  if (task.formulation.regulariser()) settings.insert({"mumps_pivot_order", "6"});
-  settings.insert(defaults.settings.begin(), defaults.settings.end());
-  // MUMPS asks for eleven times what it expects to need. That costs nothing but address space.
-  if (available_memory().limited) settings.insert({"mumps_mem_percent", "50"});
   const std::vector<double> start =
       options.from.empty() ? task.formulation.start(options.start) : options.from;
-  const double reach = options.reach.value_or(defaults.reach);
-  settings.insert({"obj_scaling_factor", fmt::format("{:.6g}", natural_scale(task, start, reach))});
-  const bool goes_on = !options.from.empty() && !options.warm.multipliers.empty();
-  if (goes_on) settings.insert(warm_settings().begin(), warm_settings().end());
-  for (const auto& [name, value] : settings) set_option(*app, name, value);
-  // Ctrl-C is ours, so Ipopt reads no options file either: everything that counts is in the record.
-  app->Options()->SetStringValue("option_file_name", "");
-  if (app->Initialize("") != Ipopt::Solve_Succeeded) throw InputError("Ipopt refuses its options");
-
   task.device.reset_kernel_seconds();
   const Stopwatch watch;
-  const Ipopt::SmartPtr<Nlp> nlp =
-      lifted ? make_lifted_nlp(task, start, options.convexify) : make_direct_nlp(task, start);
-  if (goes_on) {
+  const Ipopt::SmartPtr<Nlp> nlp = wants_exact_hessian(options)
+                                       ? make_lifted_nlp(task, start, options.convexify)
+                                       : make_direct_nlp(task, start);
+  IpoptSettings settings = ipopt_settings(task, options, *nlp, start);
+  const std::unique_ptr<ArrowInIpopt> arrow = initialise(*app, settings);
+  if (goes_on(options)) {
     double scale = 1;
     app->Options()->GetNumericValue("obj_scaling_factor", scale, "");
     const double barrier = scale * nlp->go_on(options.warm, std::move(held));
     const auto [option, ours] = settings.insert({"mu_init", fmt::format("{:.6g}", barrier)});
-    if (ours) set_option(*app, option->first, option->second);
+    if (ours) set_ipopt_option(*app, option->first, option->second);
   }
   const Ipopt::SmartPtr<MemoryJournal> journal = new MemoryJournal();
   app->Jnlst()->AddJournal(GetRawPtr(journal));
@@ -237,6 +141,9 @@ Outcome solve(const Task& task, const SolverOptions& options, std::vector<std::u
   outcome.kernel_seconds = task.device.kernel_seconds();
   outcome.termination = termination_of(status);
   outcome.message = message_of(status);
+  if (const auto asked = options.own.find("linear_solver");
+      asked != options.own.end() && asked->second == "arrow" && !arrow)
+    outcome.message += ", by MUMPS: the systems are no arrow";
   outcome.settings = settings;
   outcome.evaluations = nlp->evaluations();
   outcome.history = nlp->history();
@@ -276,6 +183,9 @@ Outcome solve(const Task& task, const SolverOptions& options, std::vector<std::u
 }  // namespace
 
 Outcome solve_with_ipopt(const Task& task, const SolverOptions& options) {
+  // MUMPS of this version keeps its state in the library, and so does the hook for our linear solver.
+  static std::mutex one_at_a_time;
+  const std::scoped_lock lock(one_at_a_time);
   const Memory memory = available_memory();
   require_memory(task, memory);
   try {

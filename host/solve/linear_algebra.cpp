@@ -8,6 +8,15 @@
 #include <vector>
 
 namespace kreisel {
+namespace {
+
+void set_blas_threads(int count) {
+  using SetThreads = void (*)(int);
+  if (const auto set = reinterpret_cast<SetThreads>(::dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+    set(count);
+}
+
+}  // namespace
 
 MemoryJournal::MemoryJournal() : Journal("memory", Ipopt::J_NONE) {
   SetPrintLevel(Ipopt::J_LINEAR_ALGEBRA, Ipopt::J_ERROR);
@@ -25,10 +34,20 @@ void MemoryJournal::PrintfImpl(Ipopt::EJournalCategory category, Ipopt::EJournal
   PrintImpl(category, level, text);
 }
 
+SerialBlas::SerialBlas() {
+  using GetThreads = int (*)();
+  if (const auto get = reinterpret_cast<GetThreads>(::dlsym(RTLD_DEFAULT, "openblas_get_num_threads"))) {
+    threads_ = get();
+    set_blas_threads(1);
+  }
+}
+
+SerialBlas::~SerialBlas() {
+  if (threads_ > 0) set_blas_threads(threads_);
+}
+
 void reserve_blas_buffers() {
-  using SetThreads = void (*)(int);
-  if (const auto set = reinterpret_cast<SetThreads>(::dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
-    set(1);
+  set_blas_threads(1);
   constexpr int n = 128;  // small products do without a buffer
   const std::vector<double> a(n * n, 1.0);
   std::vector<double> c(n * n);

@@ -23,6 +23,18 @@ class MemoryJournal final : public Ipopt::Journal {
   bool ran_out_ = false;
 };
 
+/// While one lives, OpenBLAS has one thread; another library of that interface is as it was.
+class SerialBlas {
+ public:
+  SerialBlas();
+  ~SerialBlas();
+  SerialBlas(const SerialBlas&) = delete;
+  SerialBlas& operator=(const SerialBlas&) = delete;
+
+ private:
+  int threads_ = 0;  ///< that it had; 0: not known
+};
+
 /// Memory that reserve_blas_buffers() and the heaps of threads take before MUMPS takes any, bytes.
 inline constexpr double blas_bytes = 0x1p28;
 

@@ -34,6 +34,10 @@ class Nlp : public Ipopt::TNLP {
   /// Which of the held variables the multipliers at the solution would let go; empty: none.
   [[nodiscard]] std::vector<std::uint8_t> released() const;
 
+  /// Whether all its rows are linear in the variables.
+  [[nodiscard]] bool jacobian_is_constant() const {
+    return task_.formulation.moments_are_linear() && !own_form();
+  }
   [[nodiscard]] const WarmStart& warm() const { return warm_; }
   [[nodiscard]] const std::vector<double>& solution() const { return solution_; }
   [[nodiscard]] const std::vector<double>& auxiliary() const { return auxiliary_; }

@@ -42,19 +42,25 @@ Evaluations& Evaluations::operator+=(const Evaluations& other) {
 
 SolverOptions parse_solver_options(const std::map<std::string, std::string>& settings) {
   SolverOptions options;
+  if (const auto defaults = settings.find("defaults"); defaults != settings.end()) {
+    options.untouched = defaults->second == "ipopt";
+    options.convexify = !options.untouched;
+  }
   for (const auto& [name, value] : settings) {
     if (name == "start")
       options.start = parse_start(value);
     else if (name == "curvature" && (value == "convex" || value == "full"))
       options.convexify = value == "convex";
+    else if (name == "defaults" && (value == "kreisel" || value == "ipopt"))
+      continue;  // first of all, above
     else if (name == "reach") {
       options.reach = parse<double>(value);
       if (!options.reach || !(*options.reach > 0))
         throw InputError(fmt::format("solver.reach = {}; expected a number > 0", value));
     } else
       throw InputError(fmt::format(
-          "solver.{} = {}; expected start = lower, middle or upper, curvature = convex or full, or reach = "
-          "NUMBER",
+          "solver.{} = {}; expected start = lower, middle or upper, curvature = convex or full, reach = "
+          "NUMBER, or defaults = kreisel or ipopt",
           name, value));
   }
   return options;
@@ -63,7 +69,8 @@ SolverOptions parse_solver_options(const std::map<std::string, std::string>& set
 const std::vector<SolverEntry>& solvers() {
   static const std::vector<SolverEntry> all = {
       {"ipopt",
-       "interior point: lifted exact Hessian, or L-BFGS (ipopt.hessian_approximation=limited-memory)",
+       "interior point: lifted exact Hessian, or L-BFGS (ipopt.hessian_approximation=limited-memory); its "
+       "linear systems by our own arrow, or MUMPS (ipopt.linear_solver)",
        solve_with_ipopt,
        {"voxel", "rayrep", "octree"},
        {},

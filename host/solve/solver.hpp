@@ -93,11 +93,13 @@ struct SolverOptions {
   bool convexify = true;
   /// Largest derivative of the scaled objective at the start, > 0; empty: what suits the formulation.
   std::optional<double> reach;
+  /// Ipopt with its own defaults: no scale, tolerance, linear solver or curvature of ours.
+  bool untouched = false;
   std::map<std::string, std::string> own;  ///< passed to the solver by name: `--set ipopt.NAME=VALUE`
 };
 
 /// From `--set solver.NAME=VALUE`: start = lower | middle | upper, curvature = convex | full,
-/// reach = NUMBER.
+/// reach = NUMBER, defaults = kreisel | ipopt.
 /// @throws InputError  another name or value
 [[nodiscard]] SolverOptions parse_solver_options(const std::map<std::string, std::string>& settings);
 

@@ -1,0 +1,173 @@
+#include "solve/ipopt_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "error.hpp"
+#include "memory.hpp"
+#include "nearest.hpp"
+#include "solve/arrow_in_ipopt.hpp"
+
+namespace kreisel {
+namespace {
+
+using Settings = IpoptSettings;
+
+/// Ipopt's options before the user's own, and the reach of natural_scale(); found by measuring
+/// (docs/rayrep.md).
+struct Defaults {
+  Settings settings;
+  double reach;
+};
+
+/// `linear`: of the moments in the variables; `exact`: the lifted form.
+Defaults defaults_for(bool linear, bool exact) {
+  // tol is relative to the scaled objective; the constraints have a tolerance of their own, in body units.
+  Defaults d{{{"print_level", "0"},
+              {"sb", "yes"},
+              {"constr_viol_tol", "1e-9"},
+              {"tol", !linear ? "1e-5"
+                      : exact ? "1e-7"
+                              : "1e-6"}},
+             linear ? 1e-2 : 10.0};
+  return d;
+}
+
+/// Ours of MUMPS, where it is the one that solves.
+Settings defaults_of_mumps(const Task& task) {
+  // Its own ordering wants tens of gigabytes for the arrow-shaped systems of the voxel formulation;
+  // approximate minimum degree (0) takes the diagonal first. A regulariser ties neighbours: no longer an
+  // arrow alone, but one whose dense rows are to come last (6).
+  Settings settings = {{"mumps_pivot_order", task.formulation.regulariser() ? "6" : "0"}};
+  // MUMPS asks for eleven times what it expects to need. That costs nothing but address space.
+  if (available_memory().limited) settings.insert({"mumps_mem_percent", "50"});
+  return settings;
+}
+
+/// The linear solver of a solve: what was asked, or else our own where it fits.
+std::string linear_solver_for(const Settings& given, Ipopt::TNLP& nlp, bool exact) {
+  const auto asked = given.find("linear_solver");
+  if (asked != given.end() && asked->second == "ma27")
+    throw InputError("ipopt.linear_solver = ma27 is not installed; expected arrow or mumps");
+  if (asked != given.end() && asked->second != "arrow") return asked->second;
+  const auto of_mumps =
+      std::ranges::find_if(given, [](const auto& s) { return s.first.starts_with("mumps_"); });
+  if (of_mumps == given.end()) return is_arrow(nlp, exact) ? "arrow" : "mumps";
+  if (asked != given.end())
+    throw InputError(fmt::format("ipopt.{} = {} is nothing to ipopt.linear_solver = arrow; expected mumps",
+                                 of_mumps->first, of_mumps->second));
+  return "mumps";
+}
+
+/// For a solve that goes on from another: its own start is not to be pushed off the central path.
+const Settings& warm_settings() {
+  static const Settings settings = {{"warm_start_init_point", "yes"},
+                                    {"warm_start_bound_push", "1e-9"},
+                                    {"warm_start_bound_frac", "1e-9"},
+                                    {"warm_start_mult_bound_push", "1e-12"}};
+  return settings;
+}
+
+/// Factor on f that makes its largest derivative at the start `reach`.
+///
+/// One variable moves one voxel of perhaps 1e5, so f's derivatives are about 1e-5 while Ipopt's first barrier
+/// parameter (0.1) and multipliers (1) take them to be about 1. Unscaled, the barrier drowns f for the first
+/// iterations and the last barrier parameter leaves a gap of n * 1e-9 / 1e-5. Ipopt's own scaling only
+/// shrinks.
+/// The margin has no slope in x; the constraints that bound it have.
+double natural_scale(const Task& task, const std::vector<double>& start, double reach) {
+  const Moments s = task.mass.total(task.formulation.moments(start));
+  std::vector<Moments> forms;
+  if (task.problem.goal() == Goal::margin)
+    for (const auto& row : task.problem.constraints().matrix.rowwise()) forms.emplace_back(row.transpose());
+  else
+    forms.push_back(task.problem.gradient(s));
+  double largest = 0;
+  const bool sizes_differ = task.formulation.refines();
+  std::vector<double> gradient(start.size());
+  for (Moments& form : forms) {
+    form *= task.mass.contrast;
+    task.formulation.pull_back(start, {&form, 1}, gradient);
+    for (double& g : gradient) g = std::abs(g);
+    // Where cells differ in size by powers of two, so do their derivatives by powers of eight. What counts
+    // are the many small ones.
+    const auto counted = sizes_differ ? gradient.begin() + gradient.size() / 2 : gradient.end() - 1;
+    std::ranges::nth_element(gradient, counted);
+    largest = std::max(largest, *counted);
+  }
+  return largest > 0 ? reach / largest : 1.0;
+}
+
+template <class T>
+bool parse(const std::string& text, T& value) {
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return status == std::errc() && end == text.data() + text.size();
+}
+
+}  // namespace
+
+bool wants_exact_hessian(const SolverOptions& options) {
+  const auto asked = options.own.find("hessian_approximation");
+  return asked == options.own.end() || asked->second == "exact";
+}
+
+bool goes_on(const SolverOptions& options) {
+  return !options.from.empty() && !options.warm.multipliers.empty();
+}
+
+IpoptSettings ipopt_settings(const Task& task, const SolverOptions& options, Nlp& nlp,
+                             const std::vector<double>& start) {
+  const bool exact = wants_exact_hessian(options), linear = task.formulation.moments_are_linear();
+  Settings settings = options.own;  // what the user gave stays, below
+  settings.insert({"hessian_approximation", "exact"});
+  if (options.untouched) {
+    settings.insert({{"print_level", "0"}, {"sb", "yes"}, {"linear_solver", "mumps"}});
+    return settings;
+  }
+  const std::string linear_solver = linear_solver_for(options.own, nlp, exact);
+  settings["linear_solver"] = linear_solver;
+  if (linear_solver == "mumps") settings.merge(defaults_of_mumps(task));
+  // It refines its solutions itself. Ipopt's refinement still comes where that is not enough.
+  if (linear_solver == "arrow") settings.insert({"min_refinement_steps", "0"});
+  if (nlp.jacobian_is_constant()) settings.insert({{"jac_c_constant", "yes"}, {"jac_d_constant", "yes"}});
+  Defaults defaults = defaults_for(linear, exact);
+  settings.merge(defaults.settings);
+  const double reach = options.reach.value_or(defaults.reach);
+  settings.insert({"obj_scaling_factor", fmt::format("{:.6g}", natural_scale(task, start, reach))});
+  if (goes_on(options)) settings.insert(warm_settings().begin(), warm_settings().end());
+  return settings;
+}
+
+void set_ipopt_option(Ipopt::IpoptApplication& app, const std::string& name, const std::string& value) {
+  const auto option = app.RegOptions()->GetOption(name);
+  if (!IsValid(option)) {
+    std::vector<std::string> names;
+    for (const auto& [known, entry] : app.RegOptions()->RegisteredOptionsList()) names.push_back(known);
+    const std::string meant = nearest(name, names);
+    throw InputError(fmt::format("ipopt.{} = {}; Ipopt has no option of that name{}", name, value,
+                                 meant.empty() ? "" : fmt::format(" (did you mean {}?)", meant)));
+  }
+  bool good = false;
+  int integer = 0;
+  double number = 0;
+  switch (option->Type()) {
+    case Ipopt::OT_Integer:
+      good = parse(value, integer) && option->IsValidIntegerSetting(integer) &&
+             app.Options()->SetIntegerValue(name, integer);
+      break;
+    case Ipopt::OT_Number:
+      good = parse(value, number) && option->IsValidNumberSetting(number) &&
+             app.Options()->SetNumericValue(name, number);
+      break;
+    default:
+      good = option->IsValidStringSetting(value) && app.Options()->SetStringValue(name, value);
+  }
+  if (!good)
+    throw InputError(
+        fmt::format("ipopt.{} = {} is not a value Ipopt takes: {}", name, value, option->ShortDescription()));
+}
+
+}  // namespace kreisel

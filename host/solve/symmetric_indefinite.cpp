@@ -1,0 +1,154 @@
+#include "solve/symmetric_indefinite.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "solve/arrow_shape.hpp"
+
+namespace kreisel {
+namespace {
+
+using Eigen::Index;
+
+/// A 1 x 1 pivot is taken when it is this share of the largest entry: the growth of entries over one 2 x 2
+/// step is then that of two 1 x 1 steps. [Bunch, Parlett 1971]
+const double share = (1 + std::sqrt(17.0)) / 8;
+
+/// What sums of n products of numbers that are at most 1 may leave where there should be nothing.
+double round_off(Index n) { return static_cast<double>(n) * std::numeric_limits<double>::epsilon(); }
+
+}  // namespace
+
+template <int Most>
+void SymmetricIndefinite<Most>::scale() {
+  const Index n = a_.rows();
+  scale_.setZero(n);
+  for (Index j = 0; j < n; ++j)
+    for (Index i = j; i < n; ++i) {
+      const double size = std::abs(a_(i, j));
+      scale_[i] = std::max(scale_[i], size);
+      scale_[j] = std::max(scale_[j], size);
+    }
+  for (double& s : scale_) s = s > 0 ? 1 / std::sqrt(s) : 1;
+  for (Index j = 0; j < n; ++j)
+    for (Index i = j; i < n; ++i) a_(i, j) *= scale_[i] * scale_[j];
+}
+
+template <int Most>
+bool SymmetricIndefinite<Most>::choose_pivot(Index k) {
+  const Index n = a_.rows();
+  Index largest = k, row = k, column = k;
+  double diagonal = -1, off = -1;
+  for (Index j = k; j < n; ++j) {
+    if (std::abs(a_(j, j)) > diagonal) diagonal = std::abs(a_(largest = j, j));
+    for (Index i = j + 1; i < n; ++i)
+      if (std::abs(a_(i, j)) > off) off = std::abs(a_(row = i, column = j));
+  }
+  if (diagonal >= share * off) {
+    exchange(k, largest);
+    return false;
+  }
+  exchange(k, column);  // column < row, so this does not move the row
+  exchange(k + 1, row);
+  return true;
+}
+
+template <int Most>
+void SymmetricIndefinite<Most>::exchange(Index k, Index p) {
+  if (p == k) return;
+  const Index n = a_.rows();
+  std::swap(order_[k], order_[p]);
+  std::swap(a_(k, k), a_(p, p));
+  for (Index j = 0; j < k; ++j) std::swap(a_(k, j), a_(p, j));
+  for (Index j = k + 1; j < p; ++j) std::swap(a_(j, k), a_(p, j));
+  for (Index i = p + 1; i < n; ++i) std::swap(a_(i, k), a_(i, p));
+}
+
+template <int Most>
+bool SymmetricIndefinite<Most>::eliminate_one(Index k) {
+  const double pivot = a_(k, k);
+  smallest_ = std::min(smallest_, std::abs(pivot));
+  if (!(std::abs(pivot) > round_off(a_.rows()))) return false;
+  negative_ += pivot < 0;
+  const Index left = a_.rows() - k - 1;
+  const Vector<double> row = a_.col(k).tail(left);
+  a_.col(k).tail(left) /= pivot;
+  for (Index j = 0; j < left; ++j) a_.col(k + 1 + j).tail(left - j) -= row[j] * a_.col(k).tail(left - j);
+  return true;
+}
+
+template <int Most>
+bool SymmetricIndefinite<Most>::eliminate_two(Index k) {
+  Eigen::Matrix2d block;
+  block << a_(k, k), a_(k + 1, k), a_(k + 1, k), a_(k + 1, k + 1);
+  // The off-diagonal is the larger by choice, so one eigenvalue is positive and one negative.
+  const double size = std::abs(a_(k + 1, k));
+  smallest_ = std::min(smallest_, size);
+  if (!(size > round_off(a_.rows()))) return false;
+  ++negative_;
+  const Index left = a_.rows() - k - 2;
+  const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::ColMajor, Most, 2> rows = a_.block(k + 2, k, left, 2);
+  a_.block(k + 2, k, left, 2) = rows * block.inverse();
+  for (Index j = 0; j < left; ++j)
+    a_.col(k + 2 + j).tail(left - j) -= a_.block(k + 2 + j, k, left - j, 2) * rows.row(j).transpose();
+  return true;
+}
+
+template <int Most>
+bool SymmetricIndefinite<Most>::factor(const Eigen::Ref<const Eigen::MatrixXd>& a) {
+  a_ = a;
+  const Index n = a_.rows();
+  negative_ = 0;
+  smallest_ = n > 0 ? INFINITY : 1;
+  order_ = Vector<Index>::LinSpaced(n, 0, n - 1);
+  two_.setConstant(n, false);
+  scale();
+  for (Index k = 0; k < n;) {
+    const bool two = choose_pivot(k);
+    two_[k] = two;
+    if (!(two ? eliminate_two(k) : eliminate_one(k))) return false;
+    k += two ? 2 : 1;
+  }
+  return true;
+}
+
+template <int Most>
+void SymmetricIndefinite<Most>::solve(Eigen::Ref<Eigen::MatrixXd> x) const {
+  const Index n = a_.rows();
+  Eigen::MatrixXd y(n, x.cols());
+  for (Index i = 0; i < n; ++i) {
+    const Index from = order_[i];
+    y.row(i) = x.row(from) * scale_[from];
+  }
+  const auto two_at = [&](Index k) { return two_[k]; };
+  for (Index k = 0; k < n; k += two_at(k) ? 2 : 1) {
+    const Index width = two_at(k) ? 2 : 1, left = n - k - width;
+    y.bottomRows(left) -= a_.block(k + width, k, left, width) * y.middleRows(k, width);
+  }
+  for (Index k = 0; k < n; k += two_at(k) ? 2 : 1) {
+    if (!two_at(k)) {
+      y.row(k) /= a_(k, k);
+      continue;
+    }
+    Eigen::Matrix2d block;
+    block << a_(k, k), a_(k + 1, k), a_(k + 1, k), a_(k + 1, k + 1);
+    y.middleRows<2>(k) = block.inverse() * y.middleRows<2>(k);
+  }
+  for (Index k = n; k > 0;) {
+    const bool two = k > 1 && two_at(k - 2);
+    const Index width = two ? 2 : 1, left = n - k;
+    k -= width;
+    y.middleRows(k, width) -= a_.block(k + width, k, left, width).transpose() * y.bottomRows(left);
+  }
+  for (Index i = 0; i < n; ++i) {
+    const Index to = order_[i];
+    x.row(to) = y.row(i) * scale_[to];
+  }
+}
+
+template class SymmetricIndefinite<Eigen::Dynamic>;
+template class SymmetricIndefinite<arrow_block>;
+
+}  // namespace kreisel
