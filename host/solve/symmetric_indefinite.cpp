@@ -21,19 +21,30 @@ double round_off(Index n) { return static_cast<double>(n) * std::numeric_limits<
 
 }  // namespace
 
+/// Each sweep takes the square root of how far the rows' largest entries lie apart [Ruiz 2001].
 template <int Most>
 void SymmetricIndefinite<Most>::scale() {
   const Index n = a_.rows();
-  scale_.setZero(n);
-  for (Index j = 0; j < n; ++j)
-    for (Index i = j; i < n; ++i) {
-      const double size = std::abs(a_(i, j));
-      scale_[i] = std::max(scale_[i], size);
-      scale_[j] = std::max(scale_[j], size);
+  scale_.setOnes(n);
+  constexpr int most_sweeps = 16;  // the range of a double's exponents, to within a factor of two
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    Vector<double> largest = Vector<double>::Zero(n);
+    for (Index j = 0; j < n; ++j)
+      for (Index i = j; i < n; ++i) {
+        const double size = std::abs(a_(i, j));
+        largest[i] = std::max(largest[i], size);
+        largest[j] = std::max(largest[j], size);
+      }
+    bool even = true;
+    for (double& size : largest) {
+      even = even && (size == 0 || (size > 0.5 && size < 2));
+      size = size > 0 ? 1 / std::sqrt(size) : 1;
     }
-  for (double& s : scale_) s = s > 0 ? 1 / std::sqrt(s) : 1;
-  for (Index j = 0; j < n; ++j)
-    for (Index i = j; i < n; ++i) a_(i, j) *= scale_[i] * scale_[j];
+    if (even) return;
+    scale_.array() *= largest.array();
+    for (Index j = 0; j < n; ++j)
+      for (Index i = j; i < n; ++i) a_(i, j) *= largest[i] * largest[j];
+  }
 }
 
 template <int Most>

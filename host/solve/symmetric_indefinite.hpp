@@ -9,15 +9,15 @@ namespace kreisel {
 /// decides [Bunch, Parlett 1971]. For systems of a few to a few hundred rows; cost n^3 / 3 multiplications
 /// and as many comparisons.
 ///
-/// A is scaled first, `a_ij / sqrt(m_i m_j)` with m the largest entry of a row, so that rows of other units
-/// do not decide which pivot is small.
+/// A is scaled first, on both sides alike, until the largest entries of its rows are within a factor of two
+/// of 1: units do not decide which pivot is small.
 ///
 /// @tparam Most  rows that A may have, so that none of it is on the heap; Eigen::Dynamic: any number
 template <int Most = Eigen::Dynamic>
 class SymmetricIndefinite {
  public:
   /// Factors `a`, of which the lower triangle is read.
-  /// @return  false: singular to round-off, a pivot is below `n u` of the largest scaled entry (u: unit
+  /// @return  false: singular to round-off, a pivot is below `2 n u` of the largest scaled entry (u: unit
   ///          round-off). Then solve() may not be called.
   bool factor(const Eigen::Ref<const Eigen::MatrixXd>& a);
 

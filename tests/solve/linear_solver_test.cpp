@@ -62,11 +62,24 @@ std::string name_of(const Both& both) {
                                  : "_full");
 }
 
+/// For names of tests that fail; Both is a tuple, whose own namespace has no operator for it.
+void PrintTo(const Asked& asked, std::ostream* out) { *out << asked.problem << values_of(asked.settings); }
+void PrintTo(const Way& way, std::ostream* out) { *out << way.formulation << values_of(way.settings); }
+
+/// Askew, or where it is to stand on a face, upright.
+const Case& body_for(const Asked& asked) {
+  static const Case askew = top(0.015, 10);
+  static const Case upright(body_of(moved(box_mesh({-0.5, -0.4, -0.625}, {0.5, 0.4, 0.625}),
+                                          Eigen::Matrix3d::Identity(), {0.05, 0.02, 0.625})),
+                            10);
+  return asked.problem == "stand" ? upright : askew;
+}
+
 class TwoLinearSolvers : public testing::TestWithParam<Both> {};
 
 Outcome solved(const Both& both, const std::string& linear_solver) {
   const auto& [asked, way] = both;
-  static const Case brick = top(0.015, 10);
+  const Case& brick = body_for(asked);
   const auto problem = make_problem(asked.problem, asked.settings, brick.body);
   const auto f =
       make_formulation(way.formulation, brick.domain, problem->traits(), way.settings, test_device());
@@ -77,11 +90,23 @@ Outcome solved(const Both& both, const std::string& linear_solver) {
   return solve(find_solver("ipopt", way.formulation), {*problem, *f, brick.mass, test_device()}, options);
 }
 
+/// L-BFGS learns the Hessian from how gradients change from step to step. Where the objective is linear they
+/// do not, or only as the multipliers' part of the constraints does: what it learns is round-off.
+bool secants_are_round_off(const Both& both) {
+  const auto& [asked, way] = both;
+  const bool linear =
+      asked.problem == "float" || asked.problem == "balance" || asked.settings.contains("target");
+  return way.hessian != "exact" && linear;
+}
+
 TEST_P(TwoLinearSolvers, TakeTheSameIterates) {
   const Outcome want = solved(GetParam(), "mumps"), got = solved(GetParam(), "");
   EXPECT_EQ(want.settings.at("linear_solver"), "mumps");
   EXPECT_EQ(got.settings.at("linear_solver"), "arrow") << "by itself, as the systems have that shape";
   EXPECT_EQ(to_string(got.termination), to_string(want.termination)) << got.message;
+  // Ipopt's tol: where either may stop.
+  EXPECT_NEAR(got.objective, want.objective, 1e-5 * (1 + std::abs(want.objective)));
+  if (secants_are_round_off(GetParam())) return;
   // Both solve each system to about 1e-10 (Ipopt's residual_ratio_max); what that leaves grows from step to
   // step, more so where a Hessian is built from differences of steps.
   ASSERT_EQ(got.history.size(), want.history.size());
@@ -90,7 +115,6 @@ TEST_P(TwoLinearSolvers, TakeTheSameIterates) {
     EXPECT_NEAR(got.history[i].objective, want.history[i].objective, size) << "iterate " << i;
     EXPECT_EQ(got.history[i].line_search_trials, want.history[i].line_search_trials) << "iterate " << i;
   }
-  EXPECT_NEAR(got.objective, want.objective, 1e-7 * (1 + std::abs(want.objective)));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, TwoLinearSolvers,
