@@ -68,9 +68,9 @@ std::string message_of(Ipopt::ApplicationReturnStatus status) {
 
 constexpr double gibi = 1 << 30;
 
-/// What Ipopt and MUMPS take, bytes. They use some 2 kB a variable (measured: 1.8 kB a voxel, 1.6 kB an end
-/// of a ray). Of limited address space all counts that they ask for: 2.3 kB, and half as much again where
-/// MUMPS has to ask twice.
+/// What Ipopt and its linear solver take, bytes. With MUMPS they use some 2 kB a variable (measured: 1.8 kB a
+/// voxel, 1.6 kB an end of a ray), with our own 1.3 kB; which it will be is not known yet. Of limited address
+/// space all counts that they ask for: 2.3 kB, and half as much again where MUMPS has to ask twice.
 double memory_for(const Task& task, bool limited) {
   const auto n = static_cast<double>(task.formulation.num_variables());
   return limited ? 3500 * n + blas_bytes : 2000 * n;
