@@ -59,7 +59,8 @@ const std::vector<FormulationEntry>& formulations() {
       {"octree", "one fill in [0,1] a cell of an octree, refined along the voids [SpinIt, s. 5]",
        make_octree},
       {"quadric",
-       "solid where a quadric is negative: ten coefficients, exact at the optimum (docs/quadric.md)",
+       "solid where a quadric is negative: ten coefficients, exact at the optimum [Hafner, Ly, Wojtan 2024] "
+       "(docs/quadric.md)",
        make_quadric},
   };
   return all;
