@@ -74,6 +74,7 @@ Published read_published(const std::filesystem::path& file) {
       out.rayrep = side(row, "rayrep");
       out.voxel = side(row, "voxel");
       if (row.contains("speedup")) out.speedup = row.at("speedup").get<double>();
+      if (row.contains("seconds")) out.seconds = row.at("seconds").get<double>();
       out.inertia = inertia(row);
       out.standing = standing(row);
       out.voids = voids(row);

@@ -39,6 +39,7 @@ struct PublishedRow {
   std::string label, solver;               ///< of a run; empty: any
   std::optional<Side> rayrep, voxel;
   std::optional<double> speedup;                ///< as printed there, from times that were not rounded
+  std::optional<double> seconds;                ///< of a solve, where that is all there is
   std::optional<double> omega_reduction;        ///< least speed of a stable spin, solid over optimised
   std::map<std::string, std::string> settings;  ///< of the run that the row belongs to, such as problem.lower
   std::optional<Inertia> inertia;

@@ -18,6 +18,7 @@
 #include "experiment/simulation_table.hpp"
 #include "experiment/speedup_table.hpp"
 #include "experiment/standing_table.hpp"
+#include "experiment/starts_table.hpp"
 #include "experiment/table_parts.hpp"
 #include "experiment/top_table.hpp"
 #include "experiment/voids_table.hpp"
@@ -41,6 +42,8 @@ const std::vector<TableKind>& table_kinds() {
       {"standing",
        "a block a body: height of the centre of mass and tilt, by target and solver, beside a paper",
        standing_tables},
+      {"starts", "a row a task, over its starts: how many end at the optimum, in how many passes",
+       starts_tables},
       {"voids", "a row a run: pieces of the void, islands, planar cuts, beside a paper", voids_tables},
       {"tops", "a row a run: height, moments and least speed of the solid and the part, beside a paper",
        top_tables},

@@ -64,6 +64,12 @@ void read_solve(const Group& group, RecordSummary& summary, const std::string& n
   // Early records of this schema have neither these nor moved_voxels.
   if (group.has("scope")) summary.scope = group.text("scope");
   if (group.has("infeasibility")) summary.infeasibility = group.text("infeasibility");
+  if (group.has("strict_local_minimum")) {
+    summary.strict_minimum = group.text("strict_local_minimum");
+    summary.smallest_eigenvalue = group.real("smallest_eigenvalue");
+  }
+  summary.evaluations =
+      static_cast<int>(group.integer("evaluations_objective") + group.integer("evaluations_hessian"));
   if (group.contains("refinements")) {
     const auto rounds = group.read("refinements");
     summary.rounds = rounds.shape.rows;

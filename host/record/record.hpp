@@ -36,8 +36,10 @@ struct RecordSummary {
   std::string scope, infeasibility;  ///< what could be asked; what cannot be met
   std::array<int, 3> grid{};
   std::size_t rays = 0, interior_voxels = 0, variables = 0;
-  int iterations = 0;
+  int iterations = 0, evaluations = 0;  ///< evaluations: of f and of its second derivatives
   double objective = 0, violation = 0;
+  std::string strict_minimum;  ///< as LocalMinimum::Answer is written; empty: not asked
+  std::optional<double> smallest_eigenvalue;
   std::optional<double> bound, gap;  ///< where it was certified; infinite where nothing was proved
   std::string certificate_kind;      ///< as Certificate::Kind is written; empty where it was not certified
   int certificate_boxes = 0;         ///< solved on the way

@@ -78,6 +78,13 @@ json refinements(const std::vector<Refinement>& rounds) {
   return all;
 }
 
+json local_minimum(const LocalMinimum& m) {
+  return {{"strict", to_string(m.strict)},
+          {"smallest_eigenvalue", m.smallest},
+          {"dimension", m.dimension},
+          {"text", m.text()}};
+}
+
 json rounding(const RoundingCost& cost) {
   return {{"objective", cost.objective},         {"constraint_violation", cost.violation},
           {"solid_voxels", cost.solid_voxels},   {"void_voxels", cost.void_voxels},
@@ -154,6 +161,7 @@ json to_json(const RunResult& r) {
       {"constraint_violation", o.violation},
       {"dual_infeasibility", o.dual_infeasibility},
       {"complementarity", o.complementarity},
+      {"local_minimum", o.local_minimum ? local_minimum(*o.local_minimum) : json()},
       {"moments", list(r.model_moments(part ? r.rounding.moments : o.moments))},
       {"moments_optimum", list(r.model_moments(o.moments))},
       {"moments_order", moment_names},

@@ -143,6 +143,11 @@ void write_solve(Group group, const RunResult& r) {
   group.set("steps", o.steps);
   group.set("dual_infeasibility", o.dual_infeasibility);
   group.set("complementarity", o.complementarity);
+  if (o.local_minimum) {
+    group.set("strict_local_minimum", to_string(o.local_minimum->strict));
+    group.set("smallest_eigenvalue", o.local_minimum->smallest);
+    group.set("tangent_dimension", o.local_minimum->dimension);
+  }
   group.set("kernel_seconds", o.kernel_seconds);
   group.set("solve_seconds", o.solve_seconds);
   group.set("evaluations_objective", o.evaluations.objective);

@@ -11,6 +11,7 @@
 
 #include "error.hpp"
 #include "parse.hpp"
+#include "solve/second_order.hpp"
 #include "stopwatch.hpp"
 
 namespace kreisel {
@@ -105,6 +106,7 @@ Phase Search::model_step(State& state, bool first) {
   const DualPoint point = minimise_model(oracle_, model, rows_, state.multipliers, tolerance);
   if (point.ending == DualPoint::infeasible) {
     state.q = rows_.matrix.transpose() * point.multipliers;
+    state.curvature.reset();
     state.s = point.s;
     state.multipliers = point.multipliers;
     return Phase::infeasible;
@@ -127,6 +129,7 @@ Phase Search::model_step(State& state, bool first) {
   state.active = point.active;
   solved_ = point.ending == DualPoint::converged || point.residual <= 1e-4;
   state.q = point.q;
+  state.curvature.reset();
   state.residual = exact ? point.residual : step.lpNorm<Eigen::Infinity>();
   note(state, trials);
   // With room to spare a margin's quadric is tiny, and so round-off is large beside it (dual.cpp).
@@ -164,6 +167,7 @@ Phase Search::newton(State& state, bool descending) {
     if (fits && residual < state.residual) {
       state.s = support.moments;
       state.q = q;
+      state.curvature = support.hessian;
       state.residual = residual;
       state.multipliers.setZero(rows_.size());
       state.multipliers(active) = mu;
@@ -280,6 +284,11 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
   outcome.iterations = static_cast<int>(outcome.history.size());
   outcome.solve_seconds = watch.seconds();
   outcome.kernel_seconds = task.device.kernel_seconds();
+  if (phase == Phase::converged) {
+    TotalSupport oracle(domain, task.mass, 0);
+    outcome.local_minimum = second_order(problem, oracle, state, own.tolerance);
+    outcome.evaluations.hessian += oracle.hessian_passes();
+  }
   switch (phase) {
     case Phase::converged:
       outcome.termination = Termination::optimal;

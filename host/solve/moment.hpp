@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "solve/dual.hpp"
@@ -17,6 +18,7 @@ struct MomentPoint {
   std::vector<bool> active;
   Moments q = Moments::Zero();
   double residual = std::numeric_limits<double>::infinity();  ///< of s = s(q) and of the rows
+  std::optional<Matrix10> curvature;  ///< the support function's Hessian at q, where it is known
 };
 
 enum class Phase { going_on, converged, infeasible, stalled, interrupted };

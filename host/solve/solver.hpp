@@ -11,6 +11,7 @@
 #include "body/body.hpp"
 #include "formulation/formulation.hpp"
 #include "problem/problem.hpp"
+#include "solve/local_minimum.hpp"
 
 namespace kreisel {
 
@@ -67,6 +68,7 @@ struct Outcome {
   std::map<std::string, std::string> settings;  ///< the solver's own options as they were in force
   WarmStart warm;                               ///< where the solver can go on from one
   std::vector<Refinement> refinements;          ///< every round; of a formulation that refines
+  std::optional<LocalMinimum> local_minimum;    ///< of a solve in the moments that converged
 
   [[nodiscard]] bool converged() const {
     return termination == Termination::optimal || termination == Termination::acceptable;

@@ -56,6 +56,9 @@ MATERIAL = {"density": REAL, "mass": REAL, "file": TEXT, "triangles": WHOLE}
 # Of the 2014 form of a spinning problem alone.
 ANGLE_FORM = {"/solve": {"phi": REAL, "phi_units": TEXT}}
 
+# Of a solve in the moments that converged.
+MINIMUM = {"/solve": {"strict_local_minimum": TEXT, "smallest_eigenvalue": REAL, "tangent_dimension": WHOLE}}
+
 # Of a certified run alone.
 CERTIFIED = {
     "/": {"bound": REAL, "gap": REAL},
@@ -130,8 +133,11 @@ def check(file):
         datasets |= OCTREE_DATASETS
     if "phi" in file["solve"].attrs:
         attributes = {g: ATTRIBUTES[g] | ANGLE_FORM.get(g, {}) for g in ATTRIBUTES}
+    if "strict_local_minimum" in file["solve"].attrs:
+        expect(file.attrs.get("solver") == "moment", "a solver that does not judge its minimum")
+        attributes = {g: attributes[g] | MINIMUM.get(g, {}) for g in attributes}
     if "certificate" in file:
-        attributes = {g: ATTRIBUTES.get(g, {}) | CERTIFIED.get(g, {}) for g in ATTRIBUTES | CERTIFIED}
+        attributes = {g: attributes.get(g, {}) | CERTIFIED.get(g, {}) for g in attributes | CERTIFIED}
         datasets |= CERTIFIED_DATASETS
     materials = file["verified/materials"]
     expect(len(materials) > 0, "no materials")

@@ -226,6 +226,28 @@ TEST_F(Record, OfTheAngleFormKeepsTheAngle) {
   EXPECT_EQ(file.group("solve").text("phi_units"), "rad");
 }
 
+TEST_F(Record, SaysWhetherItIsAStrictMinimumWhereThatIsKnown) {
+  RunResult r = made_by_hand();
+  write_record(folder_.path / "early.h5", r);  // as records were before: without it
+  EXPECT_EQ(read_record(folder_.path / "early.h5").strict_minimum, "");
+  EXPECT_FALSE(read_record(folder_.path / "early.h5").smallest_eigenvalue);
+  EXPECT_TRUE(to_json(r).at("local_minimum").is_null());
+  LocalMinimum& minimum = r.outcome.local_minimum.emplace();
+  minimum.strict = LocalMinimum::Answer::no;
+  minimum.smallest = -0.25;
+  minimum.dimension = 5;
+  write_record(folder_.path / "run.h5", r);
+  const RecordSummary s = read_record(folder_.path / "run.h5");
+  EXPECT_EQ(s.strict_minimum, "no");
+  EXPECT_EQ(s.smallest_eigenvalue, -0.25);
+  EXPECT_EQ(s.evaluations, 6) << "5 of f, 1 of its Hessian";
+  EXPECT_EQ(hdf5::File::open(folder_.path / "run.h5").group("solve").integer("tangent_dimension"), 5);
+  const auto json = to_json(r).at("local_minimum");
+  EXPECT_EQ(json.at("strict"), "no");
+  EXPECT_EQ(json.at("smallest_eigenvalue"), -0.25);
+  EXPECT_EQ(json.at("text"), "no, smallest eigenvalue -0.25 on the tangent space of 5 dimensions");
+}
+
 TEST_F(Record, OfACertifiedRunHoldsTheProof) {
   const RunResult r = certified_by_hand();
   write_record(folder_.path / "run.h5", r);

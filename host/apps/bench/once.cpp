@@ -71,6 +71,7 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
   if (!r.scope.empty()) fmt::print("  possible   {}\n", r.scope);
   fmt::print("  solve      {} ({}), {} iterations, {} variables\n", to_string(o.termination), o.message,
              o.iterations, r.variables);
+  if (o.local_minimum) fmt::print("  minimum    strict local minimum: {}\n", o.local_minimum->text());
   for (const Refinement& round : o.refinements)
     fmt::print(
         "  refine     {:>7} cells, {:>6} fractional ({} to split), {:>6} finest, {} along voids; f = {:.6f}, "
