@@ -100,12 +100,12 @@ Tables starts_tables(const std::vector<RecordedRun>& runs, const std::optional<P
   Sheet sheet({{"label", "", "task", true},
                {"model", "", "model", true},
                {"grid", "", "grid", true},
-               {"problem", "", "problem", true},
+               {"problem", "", ""},
                {"starts", "", "starts"},
                {"at_optimum", "", "at best"},
                {"starts_per_optimum", "", "restarts"},
-               {"iterations", "median [range]", "iterations"},
-               {"evaluations", "median [range]", "evaluations"},
+               {"iterations", "median [range]", "iter"},
+               {"evaluations", "median [range]", "passes"},
                {"milliseconds", "median [range]", "ms"},
                {"objective", "at best", "f"},
                {"violation", "at best", "violation"},
@@ -132,7 +132,7 @@ Tables starts_tables(const std::vector<RecordedRun>& runs, const std::optional<P
       {{"", std::move(sheet), notes}},
       "at best: starts that end as optimal within 1e-6 of the lowest f of the task; restarts: starts "
       "for each of these;\n"
-      "evaluations: passes over the rays, coarse ones included; strict, eigenvalue: the second-order "
+      "passes: over the rays, coarse ones included; strict, eigenvalue: the second-order "
       "condition, docs/quadric.md, section 3\n" +
           provenance_text(runs) + '\n'};
   if (published)
