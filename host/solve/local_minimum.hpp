@@ -9,8 +9,8 @@
 
 namespace kreisel {
 
-/// Is f larger for all other fillings whose moments are near and meet the constraints? By the second-order
-/// condition of docs/quadric.md, section 3, for which Hafner, Ly, Wojtan 2024 were first to give one.
+/// Is f larger for all other fillings whose moments are near and meet the constraints? By a condition of
+/// second order [docs/quadric.md, s. 3]; the first to give one were Hafner, Ly, Wojtan 2024.
 struct LocalMinimum {
   enum class Answer { no, yes, undecided };
   Answer strict = Answer::undecided;
@@ -20,7 +20,7 @@ struct LocalMinimum {
   double smallest = std::numeric_limits<double>::quiet_NaN();
   int dimension = 0;                    ///< of the tangent space
   Moments direction = Moments::Zero();  ///< how q changes along the eigenvector; zero without one
-  std::string why;                      ///< it is undecided
+  std::string why;                      ///< it is undecided, or what to do about a no
 
   /// "yes, smallest eigenvalue 0.71 on the tangent space of 5 dimensions".
   [[nodiscard]] std::string text() const;

@@ -67,7 +67,7 @@ LocalMinimum second_order(const Matrix10& g, const Matrix10& b, const Forms& row
   const double largest = modes.eigenvalues().cwiseAbs().maxCoeff();
   std::vector<Eigen::Index> range;
   for (Eigen::Index i = 0; i < 10; ++i)
-    if (modes.eigenvalues()[i] > 1e-13 * largest) range.push_back(i);
+    if (modes.eigenvalues()[i] > 1e-3 * zero * largest) range.push_back(i);  // q itself is never among them
   // d = root y runs through the range of G, and d . G^+ d = |y|^2.
   const Matrix vectors = modes.eigenvectors()(Eigen::all, range);
   const Eigen::VectorXd roots = modes.eigenvalues()(range).cwiseSqrt();
@@ -89,6 +89,7 @@ LocalMinimum second_order(const Matrix10& g, const Matrix10& b, const Forms& row
     result.why = "the minimum is not isolated, as far as digits go";
   else
     result.strict = result.smallest > 0 ? Answer::yes : Answer::no;
+  if (result.strict == Answer::no) result.why = "f falls nearby; start elsewhere, by moment.seed";
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "apps/bench/commands.hpp"
@@ -36,6 +37,11 @@ void print(const RecordSummary& r) {
   if (!r.scope.empty()) fmt::print("  possible   {}\n", r.scope);
   fmt::print("  solve      {} ({}), {} iterations, objective {:.6f}, violation {:.1e}\n", r.termination,
              r.message, r.iterations, r.objective, r.violation);
+  if (!r.strict_minimum.empty())
+    fmt::print("  minimum    strict local minimum: {}{}\n", r.strict_minimum,
+               std::isfinite(r.smallest_eigenvalue.value_or(std::nan("")))
+                   ? fmt::format(", smallest eigenvalue {:.3g}", *r.smallest_eigenvalue)
+                   : "");
   if (!r.infeasibility.empty()) fmt::print("  infeasible {}\n", r.infeasibility);
   fmt::print("  time       {:.3f} s solve ({:.3f} s in kernels), {:.3f} s set-up; median of {}\n",
              r.median.solve, r.median.kernels, r.median.setup, r.samples.size());
