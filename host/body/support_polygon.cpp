@@ -35,12 +35,42 @@ void drop_flat(std::vector<Vec2>& corners, double negligible) {
   }
 }
 
+/// What of a convex ring of corners lies on the inner side of a line. [Sutherland, Hodgman 1974]
+std::vector<Vec2> clipped(const std::vector<Vec2>& corners, const SupportPolygon::Edge& line) {
+  std::vector<Vec2> kept;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    const double at_a = line.d - line.n.dot(a), at_b = line.d - line.n.dot(b);
+    if (at_a >= 0) kept.push_back(a);
+    if ((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0)) kept.push_back(a + at_a / (at_a - at_b) * (b - a));
+  }
+  return kept;
+}
+
 }  // namespace
 
 double SupportPolygon::inside(const Vec2& p) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Edge& e : edges) least = std::min(least, e.d - e.n.dot(p));
   return least;
+}
+
+Vec2 SupportPolygon::nearest(const Vec2& p) const {
+  if (inside(p) >= 0) return p;
+  Vec2 best = corners.front();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2 &a = corners[i], along = corners[(i + 1) % corners.size()] - a;
+    const Vec2 q = a + std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
+    if ((q - p).squaredNorm() < (best - p).squaredNorm()) best = q;
+  }
+  return best;
+}
+
+SupportPolygon shrunk(const SupportPolygon& polygon, double margin) {
+  if (margin == 0) return polygon;
+  std::vector<Vec2> corners = polygon.corners;
+  for (const SupportPolygon::Edge& e : polygon.edges) corners = clipped(corners, {e.n, e.d - margin});
+  return hull_of(std::move(corners));
 }
 
 SupportPolygon hull_of(std::vector<Vec2> points) {

@@ -24,7 +24,13 @@ struct SupportPolygon {
 
   /// Distance of p from the nearest edge's line; negative outside.
   [[nodiscard]] double inside(const Vec2& p) const;
+  /// The point of the polygon that is nearest to p: p itself where it is not outside.
+  [[nodiscard]] Vec2 nearest(const Vec2& p) const;
 };
+
+/// What of the polygon is at least `margin` inside every edge's line; no corners where that has no area.
+/// @param margin  >= 0
+[[nodiscard]] SupportPolygon shrunk(const SupportPolygon& polygon, double margin);
 
 /// @param tolerance  share of the body's height: vertices that near to the lowest touch the ground
 /// @throws InputError  fewer than three such vertices, or all on a line: the body stands on a point or an

@@ -18,6 +18,7 @@ Sheet empty_sheet() {
                 {"seconds", "", "seconds"},
                 {"height_percent", "centre of mass", "height, %"},
                 {"off_centroid_mm", "centre of mass", "off, mm"},
+                {"inside_mm", "centre of mass", "inside, mm"},
                 {"tilt_degrees", "topples", "at, deg"},
                 {"mass_g", "part", "g"},
                 {"verified", "part", "verified", true}});
@@ -26,6 +27,12 @@ Sheet empty_sheet() {
 std::string setting(const RunConfig& config, const std::string& name, const char* otherwise) {
   const auto at = config.settings.find(name);
   return at == config.settings.end() ? otherwise : at->second;
+}
+
+/// The target as the command line names it, with a margin that was given.
+std::string target_text(const RunConfig& config) {
+  const std::string margin = setting(config, "problem.margin", "");
+  return setting(config, "problem.target", "centre") + (margin.empty() ? "" : fmt::format(", {} mm", margin));
 }
 
 std::optional<double> value_of(const RecordSummary& r, const std::string& name, double scale = 1) {
@@ -41,16 +48,17 @@ std::vector<Cell> row_of(const std::string& heading, const RecordedRun& run) {
                              run.run.label,
                              config.formulation,
                              solver_of(config),
-                             setting(config, "problem.target", "centre"),
+                             target_text(config),
                              termination_text(run),
                              solve.seconds};
   if (!has_result(run)) {
-    cells.insert(cells.end(), 5, Cell::none());
+    cells.insert(cells.end(), 6, Cell::none());
     return cells;
   }
   const RecordSummary& r = *run.record;
   cells.insert(cells.end(), {Cell::of(value_of(r, "height_share", 100), "{:.1f}"),
                              Cell::of(value_of(r, "off_centroid_mm"), "{:.3f}"),
+                             Cell::of(value_of(r, "inside_mm"), "{:.3f}"),
                              Cell::of(value_of(r, "tilt_degrees"), "{:.2f}"),
                              Cell::of(r.written[S1] * r.mass_unit_grams, "{:.2f}"), solve.verified});
   return cells;
@@ -74,16 +82,18 @@ Tables standing_tables(const std::vector<RecordedRun>& runs, const std::optional
     for (Block& block : tables.blocks)
       for (const PublishedRow& row : published->rows) {
         if (!row.standing || !block.heading.starts_with(row.model + " ")) continue;
-        std::vector<Cell> cells = {block.heading, "paper", Cell::none(), row.solver, "centre"};
+        // What their sweep aims at is not said.
+        std::vector<Cell> cells = {block.heading, "paper", Cell::none(), row.solver,
+                                   row.solver.empty() ? Cell("centre") : Cell::none()};
         cells.insert(cells.end(), 2, Cell::none());
-        cells.insert(cells.end(), {Cell::of(row.standing->height_percent, "{:g}"), Cell::none(),
+        cells.insert(cells.end(), {Cell::of(row.standing->height_percent, "{:g}"), Cell::none(), Cell::none(),
                                    Cell::of(row.standing->tilt_degrees, "{:g}"), Cell::none(), Cell::none()});
         block.sheet.add(std::move(cells));
       }
   tables.legend =
       "of the part as written; height: of the centre of mass over the ground, of the body's; off: from over "
-      "the "
-      "base's centroid; topples: at the least tilt over any edge of the base\n" +
+      "the base's centroid; inside: from the nearest edge of the base; topples: at the least tilt over any "
+      "edge of the base\n" +
       provenance_text(runs) + '\n';
   tables.legend += paper_text(published);
   return tables;

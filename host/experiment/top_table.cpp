@@ -15,7 +15,8 @@ namespace {
 /// @param tops  any of the runs is of a problem with a least speed
 Sheet empty_sheet(bool tops, bool certified) {
   const auto of_tops = [&](const char* heading) { return tops ? heading : ""; };
-  std::vector<Sheet::Column> columns = {{"settings", "", "settings", true},
+  std::vector<Sheet::Column> columns = {{"wall", "", "wall"},
+                                        {"settings", "", "settings", true},
                                         {"termination", "", "", true},
                                         {"objective", "", "f"},
                                         {"mass_percent", "", "mass %"},
@@ -51,7 +52,7 @@ std::vector<Cell> row_of(const RecordedRun& run, const std::optional<Published>&
   const RunConfig& config = run.run.config;
   const SolveCells solve(run);
   std::vector<Cell> row = opening_cells(run);
-  row.insert(row.end(), {settings_text(config), termination_text(run), solve.objective});
+  row.insert(row.end(), {to_string(config.wall), settings_text(config), termination_text(run), solve.objective});
   if (has_result(run) && run.record->written[S1] > 0) {
     const RecordSummary& r = *run.record;
     const SpinState solid = spin_state(r.solid), part = spin_state(r.written);

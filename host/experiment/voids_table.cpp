@@ -23,18 +23,31 @@ Sheet empty_sheet() {
                         {"published_cuts", "paper", "cuts"}});
 }
 
+bool belongs(const PublishedRow& row, const RecordedRun& run) {
+  return row.voids && row.model == model_text(run.run.config) &&
+         (row.label.empty() || row.label == run.run.label) &&
+         (row.problem.empty() || row.problem == run.run.config.problem);
+}
+
 const PublishedRow::Voids* printed(const RecordedRun& run, const std::optional<Published>& published) {
   if (!published) return nullptr;
-  const auto at = std::ranges::find_if(published->rows, [&](const PublishedRow& row) {
-    return row.voids && row.model == model_text(run.run.config) &&
-           (row.label.empty() || row.label == run.run.label);
-  });
+  const auto at =
+      std::ranges::find_if(published->rows, [&](const PublishedRow& row) { return belongs(row, run); });
   return at == published->rows.end() ? nullptr : &*at->voids;
 }
 
 template <class Number>
 Cell count(Number n) {
   return fmt::format("{}", n);
+}
+
+/// A body of the paper that no run is of: its name, what was asked of it, and the paper's figures.
+std::vector<Cell> row_without_run(const PublishedRow& row) {
+  const Cell problem = row.problem.empty() ? Cell::none() : Cell(row.problem);
+  std::vector<Cell> cells = {row.label, row.model, Cell::none(), problem, Cell::none(), "no run"};
+  cells.insert(cells.end(), 7, Cell::none());
+  cells.insert(cells.end(), {count(row.voids->pieces), count(row.voids->cuts)});
+  return cells;
 }
 
 }  // namespace
@@ -61,6 +74,10 @@ Tables voids_tables(const std::vector<RecordedRun>& runs, const std::optional<Pu
     sheet.add(std::move(cells));
     notes += note_of(run);
   }
+  if (published)
+    for (const PublishedRow& row : published->rows)
+      if (row.voids && std::ranges::none_of(runs, [&](const RecordedRun& run) { return belongs(row, run); }))
+        sheet.add(row_without_run(row));
   Tables tables{
       {{"", std::move(sheet), notes}},
       "voids: pieces of the void that hang together; largest: its share of them; islands: pieces loose in "

@@ -66,6 +66,7 @@ Stand::Stand(Base base, std::optional<double> margin) : base_(std::move(base)), 
     c.names = {"cx over the base's centroid", "cy over the base's centroid"};
     return;
   }
+  allowed_ = shrunk(base_.polygon, *margin);
   c = edge_rows(base_, "inside", *margin * Moments::Unit(S1));
 }
 

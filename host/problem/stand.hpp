@@ -37,9 +37,9 @@ class Stand final : public Problem {
   [[nodiscard]] Matrix10 hessian(const Moments& s) const override;
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
   [[nodiscard]] std::optional<Ratio> ratio() const override;
-  /// The point that the centre of mass is to be over; nothing where anywhere inside the base will do.
-  [[nodiscard]] std::optional<Eigen::Vector2d> over() const {
-    return margin_ ? std::nullopt : std::optional(base_.polygon.centroid);
+  /// Of the points that the centre of mass may be over, the one nearest to p. Body frame and units.
+  [[nodiscard]] Vec2 nearest_target(const Vec2& p) const {
+    return margin_ ? allowed_.nearest(p) : base_.polygon.centroid;
   }
 
   /// Stands when the centre of mass is inside the base, seen from above.
@@ -48,6 +48,7 @@ class Stand final : public Problem {
  private:
   Base base_;
   std::optional<double> margin_;
+  SupportPolygon allowed_;  ///< the base less the margin
   LinearConstraints constraints_;
 };
 

@@ -32,11 +32,8 @@ std::vector<Piece> pieces_of(const Task& task, std::span<const double> x) {
 /// The totals while pieces are carved.
 class Sweep {
  public:
-  Sweep(std::vector<Piece> pieces, const Moments& solid, Vec2 target)
-      : pieces_(std::move(pieces)),
-        carved_(pieces_.size(), false),
-        total_(solid.head<4>()),
-        target_(std::move(target)) {}
+  Sweep(std::vector<Piece> pieces, const Moments& solid, const Stand& stand)
+      : pieces_(std::move(pieces)), carved_(pieces_.size(), false), total_(solid.head<4>()), stand_(stand) {}
 
   [[nodiscard]] double error() const { return off(total_).norm(); }
   [[nodiscard]] bool carved(std::size_t i) const { return carved_[i]; }
@@ -69,16 +66,18 @@ class Sweep {
   }
 
  private:
-  [[nodiscard]] Vec2 off(const Piece& s) const { return s.segment<2>(SX) / s[S1] - target_; }
+  [[nodiscard]] static Vec2 centre(const Piece& s) { return s.segment<2>(SX) / s[S1]; }
+  /// From the nearest of the points that will do to the centre; zero where it is over one.
+  [[nodiscard]] Vec2 off(const Piece& s) const { return centre(s) - stand_.nearest_target(centre(s)); }
 
-  /// What is left beyond the plane through the target, the farthest first.
+  /// What is left beyond the plane through the target, the farthest first; nothing once that is reached.
   [[nodiscard]] std::vector<std::size_t> in_order() const {
-    const Vec2 normal = off(total_).normalized();
+    const Vec2 target = stand_.nearest_target(centre(total_)), normal = off(total_).normalized();
     std::vector<double> distance(pieces_.size());
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (carved_[i]) continue;
-      distance[i] = normal.dot(off(pieces_[i]));
+      distance[i] = normal.dot(centre(pieces_[i]) - target);
       if (distance[i] > 0) order.push_back(i);
     }
     const auto height = [&](std::size_t i) { return pieces_[i][SZ] / pieces_[i][S1]; };
@@ -93,23 +92,23 @@ class Sweep {
   std::vector<Piece> pieces_;
   std::vector<bool> carved_;
   Piece total_;
-  Vec2 target_;
+  const Stand& stand_;
 };
 
 }  // namespace
 
 Outcome solve_with_plane_sweep(const Task& task, const SolverOptions&) {
   const auto* stand = dynamic_cast<const Stand*>(&task.problem);
-  if (!stand || !stand->over())
-    throw InputError(
-        fmt::format("solver 'plane-sweep' for {}; expected the problem stand with target = centre",
-                    task.problem.name() == "stand" ? "stand with another target" : task.problem.name()));
+  if (!stand)
+    throw InputError(fmt::format(
+        "solver 'plane-sweep' for {}; expected the problem stand with target = centre or inside",
+        task.problem.name() == "stand" ? "stand with target = max-tilt" : task.problem.name()));
   Outcome outcome;
   task.device.reset_kernel_seconds();
   const Stopwatch watch;
   std::vector<double> x = task.formulation.start(Start::upper);
   const Moments solid = task.mass.total(task.formulation.moments(x));
-  Sweep sweep(pieces_of(task, x), solid, *stand->over());
+  Sweep sweep(pieces_of(task, x), solid, *stand);
   do {
     const Moments s = sweep.moments();
     outcome.history.push_back({static_cast<int>(outcome.history.size()), task.problem.value(s),

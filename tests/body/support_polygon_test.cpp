@@ -121,6 +121,48 @@ TEST(SupportPolygonInside, IsTheDistanceFromTheNearestEdge) {
   EXPECT_NEAR(p.inside({2.75, 1.25}), -0.75, round_off) << "of the lines, not of the corner";
 }
 
+TEST(SupportPolygonNearest, IsThePointItselfInsideElseOnAnEdgeOrACorner) {
+  const SupportPolygon p = hull_of(square);
+  EXPECT_EQ(p.nearest({0.25, 0.5}), Vec2(0.25, 0.5));
+  EXPECT_NEAR((p.nearest({1.25, -3}) - Vec2(1.25, 0)).norm(), 0, round_off);
+  EXPECT_NEAR((p.nearest({2.75, 0.5}) - Vec2(2, 0.5)).norm(), 0, round_off);
+  EXPECT_NEAR((p.nearest({2.75, 1.25}) - Vec2(2, 1)).norm(), 0, round_off);
+}
+
+TEST(SupportPolygonNearest, NoOtherPointOfThePolygonIsNearer) {
+  Random random(72);
+  const SupportPolygon p = hull_of({{3, 1}, {0, 0}, {1, 4}, {-1, 2}});
+  for (int trial = 0; trial < 200; ++trial) {
+    const Vec2 from(uniform(random, -6, 6), uniform(random, -6, 6)), found = p.nearest(from);
+    EXPECT_GE(p.inside(found), -round_off);
+    for (std::size_t i = 0; i < p.corners.size(); ++i)
+      for (int k = 0; k < 20; ++k) {
+        const Vec2 other = p.corners[i] + k / 20.0 * (p.corners[(i + 1) % p.corners.size()] - p.corners[i]);
+        if (p.inside(from) < 0) {
+          EXPECT_LE((found - from).norm(), (other - from).norm() + round_off);
+        }
+      }
+  }
+}
+
+TEST(Shrunk, ARightTriangleIsScaledAboutItsIncentre) {
+  // Sides 3, 4, 5: the inscribed circle has radius 1 and its centre at (1, 1).
+  const SupportPolygon triangle = hull_of({{0, 0}, {4, 0}, {0, 3}});
+  const Vec2 incentre(1, 1);
+  for (const double margin : {0.25, 0.5, 0.96}) {
+    const auto scaled = [&](const Vec2& corner) { return Vec2(incentre + (1 - margin) * (corner - incentre)); };
+    expect_corners(shrunk(triangle, margin), {scaled({0, 0}), scaled({4, 0}), scaled({0, 3})});
+  }
+  expect_corners(shrunk(triangle, 0), triangle.corners, 0);
+  EXPECT_TRUE(shrunk(triangle, 1.01).corners.empty());
+}
+
+TEST(Shrunk, AShortEdgeIsLost) {
+  // A square with one corner cut off by 0.2: at a margin of 0.5 its neighbours meet before it.
+  const SupportPolygon p = hull_of({{0, 0}, {2, 0}, {2, 1.8}, {1.8, 2}, {0, 2}});
+  expect_corners(shrunk(p, 0.5), {{0.5, 0.5}, {1.5, 0.5}, {1.5, 1.5}, {0.5, 1.5}});
+}
+
 TEST(SupportPolygon, OfABoxIsItsBase) {
   const Body body = body_of(box_mesh({-0.5, -0.25, 0.3}, {0.75, 0.5, 1.5}));
   const SupportPolygon p = support_polygon(body);

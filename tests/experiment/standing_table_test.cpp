@@ -21,8 +21,9 @@ RecordedRun dinosaur(const std::string& label) {
 TEST(StandingTable, GivesHeightAndTiltBesideThePapers) {
   RecordedRun swept = dinosaur("plane sweep"), none = dinosaur("optimum");
   swept.run.config.solver = "plane-sweep";
+  swept.run.config.settings = {{"problem.target", "inside"}, {"problem.margin", "0"}};
   swept.record->verified_values = {
-      {"height_share", 0.5125}, {"off_centroid_mm", 0.25}, {"tilt_degrees", 3.5}};
+      {"height_share", 0.5125}, {"off_centroid_mm", 0.25}, {"inside_mm", 0.75}, {"tilt_degrees", 3.5}};
   swept.record->written[S1] = 0.5;
   swept.record->mass_unit_grams = 40;
   none.record.reset();
@@ -31,16 +32,17 @@ TEST(StandingTable, GivesHeightAndTiltBesideThePapers) {
   EXPECT_EQ(tables.blocks[0].heading, "dino 40x26x26");
   const std::string text = tables.blocks[0].sheet.text();
   EXPECT_EQ(squeezed_line(text, "plane sweep"),
-            "plane sweep voxel plane-sweep centre optimal 0.500 | 51.2 0.250 | 3.50 | 20.00 yes")
+            "plane sweep voxel plane-sweep inside, 0 mm optimal 0.500 | 51.2 0.250 0.750 | 3.50 | 20.00 yes")
       << text;
-  EXPECT_EQ(squeezed_line(text, "optimum"), "optimum voxel ipopt centre not run - | - - | - | - -") << text;
-  EXPECT_EQ(squeezed_line(text, "paper"), "paper - plane-sweep centre - - | 56 - | 1 | - -") << text;
+  EXPECT_EQ(squeezed_line(text, "optimum"), "optimum voxel ipopt centre not run - | - - - | - | - -") << text;
+  EXPECT_EQ(squeezed_line(text, "paper"), "paper - plane-sweep - - - | 56 - - | 1 | - -") << text;
   EXPECT_EQ(tables.blocks[0].sheet.rows().size(), 4u);
 }
 
 TEST(VoidsTable, CountsVoidsAndCutsBesideThePapersOfThatModelAndLabel) {
   RecordedRun run = dinosaur("hand");
   run.run.config.body.model = "armadillo";
+  run.run.config.problem = "top";
   run.record->voids = 3;
   run.record->islands = 1;
   run.record->cuts = 2;
@@ -52,6 +54,24 @@ TEST(VoidsTable, CountsVoidsAndCutsBesideThePapersOfThatModelAndLabel) {
   const std::string text = tables.blocks[0].sheet.text();
   EXPECT_TRUE(squeezed_line(text, "hand").ends_with("| 2000 75.00 1 3 2 | 1 3")) << text;
   EXPECT_TRUE(squeezed_line(text, "shell").ends_with("| 2000 75.00 1 3 2 | 5 2")) << text;
+}
+
+TEST(VoidsTable, ShowsAPublishedRowThatNoRunIsOfWithThePapersFiguresAlone) {
+  const Published paper = read_published(published_file("spinit_voids"));
+  RecordedRun stands = dinosaur("");
+  const Tables tables = voids_tables({stands}, paper);
+  const std::string text = tables.blocks[0].sheet.text();
+  EXPECT_EQ(tables.blocks[0].sheet.rows().size(), paper.rows.size()) << text;
+  EXPECT_EQ(squeezed_line(text, "- dancing-couple"),
+            "- dancing-couple - top - no run - - | - - - - - | 1 5")
+      << text;
+  RecordedRun spins = stands;
+  spins.run.config.problem = "spin";
+  const Tables two = voids_tables({spins, stands}, paper);
+  const std::string both = two.blocks[0].sheet.text();
+  EXPECT_TRUE(squeezed_line(both, "- dino 40x26x26 stand").ends_with("| 1 1")) << both;
+  EXPECT_TRUE(squeezed_line(both, "- dino 40x26x26 spin").ends_with("| - -"))
+      << "the paper's stands\n" << both;
 }
 
 }  // namespace

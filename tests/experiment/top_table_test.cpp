@@ -31,12 +31,12 @@ TEST(TopTable, SetsTheRatioOfSpeedsBesideThePapers) {
   const double ratio = std::sqrt((0.5 / 1.25) / (0.125 / 3.9375));
   EXPECT_NEAR(ratio, 3.55, 0.005);
   EXPECT_EQ(
-      squeezed_line(to_text(tables), "teapot  40x26x26  top      rayrep       lower=none"),
-      "teapot 40x26x26 top rayrep lower=none 0.8 44.4 | 0.00 0.00 5.00 1.385 655 | 1.25 1.969 185 | 3.55 "
+      squeezed_line(to_text(tables), "teapot  40x26x26  top      rayrep       1.5h  lower=none"),
+      "teapot 40x26x26 top rayrep 1.5h lower=none 0.8 44.4 | 0.00 0.00 5.00 1.385 655 | 1.25 1.969 185 | 3.55 "
       "1.56 | yes")
       << to_text(tables);
   const std::string other =
-      squeezed_line(to_text(tables), "teapot  40x26x26  top      rayrep       gamma_c=2");
+      squeezed_line(to_text(tables), "teapot  40x26x26  top      rayrep       1.5h  gamma_c=2");
   EXPECT_NE(other.find("| 3.55 - | yes"), std::string::npos)
       << "the paper's weights are taken for ours: " << other;
 }
@@ -45,7 +45,7 @@ TEST(TopTable, OfYoyosHasNoSpeeds) {
   const std::string text = to_text(top_tables({plate("yoyo", {})}, {}));
   EXPECT_EQ(text.find("rpm"), std::string::npos) << text;
   EXPECT_EQ(squeezed_line(text, "teapot"),
-            "teapot 40x26x26 yoyo rayrep defaults 0.8 44.4 | 0.00 0.00 1.385 | 1.969 | yes");
+            "teapot 40x26x26 yoyo rayrep 1.5h defaults 0.8 44.4 | 0.00 0.00 1.385 | 1.969 | yes");
 }
 
 }  // namespace

@@ -75,12 +75,66 @@ TEST(PlaneSweep, NeverEndsFartherFromTheTargetThanItBegan) {
   }
 }
 
+/// A base whose edge towards +x is at `edge`, and all others far away.
+Stand inside(double edge, double margin) {
+  return {{hull_of({{-9, -9}, {edge, -9}, {edge, 9}, {-9, 9}}), 0, 1}, margin};
+}
+
+TEST(PlaneSweep, CarvesUntilTheCentreIsInsideTheBaseAndNoFurther) {
+  // 6 x 32 voxels with the centre at 0. Without k of the farthest layer, at 2.5 h, it is at -2.5 h k / (192 - k):
+  // k = 18 is the first to pass -h/4, and k = 32 is at -h/2.
+  for (const auto& [margin, carved] : {std::pair{0.0, 18}, {h / 4, 32}}) {
+    Carved box;
+    const Stand stand = inside(-h / 4, margin);
+    const Outcome outcome = box.solve(stand, {});
+    EXPECT_EQ(to_string(outcome.termination), "acceptable") << outcome.message;
+    EXPECT_EQ(outcome.iterations, 1);
+    EXPECT_NEAR(outcome.violation, 0, 1e-14);
+    EXPECT_NEAR(centre_of_mass(outcome.moments)[0], -2.5 * h * carved / (192 - carved), 1e-14);
+    std::size_t voxel = 0;
+    int empty = 0, high = 0;
+    for (const Interval& run : BoxDomain::columns().intervals)
+      for (int k = run.k0; k < run.k1; ++k, ++voxel) {
+        if (outcome.x[voxel] == 1) continue;
+        ++empty;
+        high += k >= run.k1 - (carved + 3) / 4;  // four a level, the upper ones first
+        EXPECT_GT(BoxDomain::columns().grid.centre(0, run.ix), 2 * h);
+      }
+    EXPECT_EQ(empty, carved);
+    EXPECT_EQ(high, carved);
+  }
+}
+
+TEST(PlaneSweep, LeavesABodyAloneThatStands) {
+  Carved box;
+  const Outcome outcome = box.solve(inside(0.5 * h, 0.25 * h), {});
+  EXPECT_EQ(outcome.iterations, 0);
+  EXPECT_TRUE(std::ranges::all_of(outcome.x, [](double fill) { return fill == 1; }));
+}
+
+TEST(PlaneSweep, FailsWhereTheBaseIsOutOfReach) {
+  Carved box;
+  const Outcome outcome = box.solve(inside(-4 * h, 0), {});  // beyond the interior, which ends at -3 h
+  EXPECT_EQ(to_string(outcome.termination), "failed");
+  EXPECT_GT(outcome.violation, 0);
+}
+
 TEST(PlaneSweep, IsRefusedForOtherProblems) {
   Carved box;
   const Base base{hull_of({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}), 0, 1};
-  EXPECT_THROW(box.solve(Stand(base, 0.1), {}), InputError);
-  EXPECT_THROW(box.solve(MaxTilt(base, 0), {}), InputError);
-  EXPECT_THROW(box.solve(Spin({}), {}), InputError);
+  const auto refusal = [&](const Problem& problem) -> std::string {
+    try {
+      (void)box.solve(problem, {});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refusal(MaxTilt(base, 0)),
+            "solver 'plane-sweep' for stand with target = max-tilt; expected the problem stand with target = "
+            "centre or inside");
+  EXPECT_EQ(refusal(Spin({})),
+            "solver 'plane-sweep' for spin; expected the problem stand with target = centre or inside");
   EXPECT_THROW((void)find_solver("plane-sweep", "rayrep"), InputError);
   EXPECT_THROW(require_problem(find_solver("plane-sweep", "voxel"), "spin"), InputError);
   EXPECT_NO_THROW(require_problem(find_solver("plane-sweep", "voxel"), "stand"));

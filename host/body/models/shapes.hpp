@@ -40,6 +40,12 @@ namespace kreisel {
 /// @throws InputError  fineness out of range
 [[nodiscard]] TriangleMesh heart_shape(int fineness);
 
+/// The same heart with an arrow through it, 60 x 55.3 x 55.2 mm: along (1, 4, 1) from the knob to the tip, which
+/// is in front and half way up.
+/// @param fineness  1 to 300; below 30 as 30
+/// @throws InputError  fineness out of range
+[[nodiscard]] TriangleMesh arrow_heart_shape(int fineness);
+
 /// Teapot of 60 x 36.2 x 34.5 mm, all solid, on a flat foot; spout towards +x, handle (genus 1) towards -x,
 /// symmetric in y.
 /// @param fineness  1 to 300; below 30 as 30
