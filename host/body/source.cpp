@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "body/models.hpp"
@@ -26,10 +27,21 @@ namespace {
       name, meant.empty() ? "" : fmt::format(" (did you mean '{}'?)", meant)));
 }
 
+bool is_known(const std::string& model) { return find_model(model) || find_debian_mesh(model); }
+
 bool is_name(const std::string& model) {
   std::error_code ignored;
   const std::filesystem::path path(model);
   return !path.has_extension() && !std::filesystem::exists(path, ignored);
+}
+
+/// Where the file is: as named, else in models_folder(). As named where it is in neither.
+std::filesystem::path file_of(const std::string& model) {
+  std::error_code ignored;
+  const std::filesystem::path in_folder = models_folder() / model;
+  const bool elsewhere =
+      !std::filesystem::exists(model, ignored) && std::filesystem::exists(in_folder, ignored);
+  return elsewhere ? in_folder : std::filesystem::path(model);
 }
 
 /// Only what has no unit of its own takes one.
@@ -39,15 +51,24 @@ void require_unit_wanted(const BodySpec& spec) {
     throw InputError(
         fmt::format("unit {} for model '{}'; expected {}", spec.unit->name, spec.model, expected));
   };
-  if (find_model(spec.model) || find_debian_mesh(spec.model))
-    refuse("none with the name of a model, which is in mm (size scales it)");
+  if (is_known(spec.model)) refuse("none with the name of a model, which is in mm (size scales it)");
   if (mesh_format(spec.model).has_unit) refuse("none with a file that says what its lengths are in");
 }
 
 }  // namespace
 
+std::filesystem::path models_folder() {
+  const char* given = std::getenv("KREISEL_MODELS");
+  return given && *given ? given : "models";
+}
+
+bool is_absent_file(const std::string& model) {
+  std::error_code ignored;
+  return !is_known(model) && !is_name(model) && !std::filesystem::exists(file_of(model), ignored);
+}
+
 void require_known_source(const BodySpec& spec) {
-  if (!find_model(spec.model) && !find_debian_mesh(spec.model) && is_name(spec.model)) unknown(spec.model);
+  if (!is_known(spec.model) && is_name(spec.model)) unknown(spec.model);
   require_unit_wanted(spec);
 }
 
@@ -73,7 +94,7 @@ Source load_source(const BodySpec& spec) {
             .up = real->up,
             .contact = {},
             .size = DebianMesh::size};
-  const std::filesystem::path path(spec.model);
+  const std::filesystem::path path = file_of(spec.model);
   return {.name = path.stem().string(),
           .format = std::string(mesh_format(path).name),
           .mesh = read_mesh(path),

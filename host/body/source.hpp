@@ -1,6 +1,9 @@
 // source.hpp - where a body's mesh comes from.
 #pragma once
 
+#include <filesystem>
+#include <string>
+
 #include "body/body.hpp"
 #include "mesh/surface.hpp"
 
@@ -19,7 +22,8 @@ struct Source {
   std::vector<std::string> repairs = {};  ///< what was mended, one line each
 };
 
-/// The model of that name, made or fetched, or the mesh file, neither checked nor mended.
+/// The model of that name, made or fetched, or the mesh file, here or in models_folder(), neither checked nor
+/// mended.
 /// @throws InputError  neither a name (says the nearest) nor a readable file; fineness < 0; a unit for what
 ///                     has one
 [[nodiscard]] Source load_source(const BodySpec& spec);
@@ -33,6 +37,14 @@ struct Source {
 
 /// make_body() with the mesh at hand. @param solid  with the mesh of a solid
 [[nodiscard]] Body make_body(const BodySpec& spec, Source solid, device::Device& device);
+
+/// Where mesh files are looked for that are not where their name says: $KREISEL_MODELS, else `models` in the
+/// current folder.
+[[nodiscard]] std::filesystem::path models_folder();
+
+/// Whether the name is that of a mesh file which is neither there, seen from the current folder, nor in
+/// models_folder(). False for the name of a model.
+[[nodiscard]] bool is_absent_file(const std::string& model);
 
 /// Looks at the names alone: a file may still be missing or broken.
 /// @throws InputError  neither the name of a model nor like that of a file, says the nearest; a unit for what

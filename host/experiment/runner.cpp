@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "error.hpp"
+#include "experiment/absent_files.hpp"
 #include "experiment/attempt.hpp"
 #include "experiment/progress.hpp"
 #include "experiment/run_text.hpp"
@@ -29,6 +30,8 @@ std::string_view text_of(RunState state) {
       return "to run again, no mesh";
     case RunState::few_samples:
       return "to run again, timed less";
+    case RunState::absent:
+      return "skipped, no mesh file";
     case RunState::finished:
       return "finished";
   }
@@ -75,18 +78,26 @@ std::vector<PlannedRun> plan_runs(const Experiment& experiment, const RunnerOpti
   // A forced run does not look at what it replaces.
   if (!options.force)
     for (PlannedRun& run : plan) run.state = state_of(run);
+  for (PlannedRun& run : plan) {
+    if (run.state == RunState::finished) continue;
+    run.lacks = text_of_absent(run.run);
+    if (!run.lacks.empty()) run.state = RunState::absent;
+  }
   return plan;
 }
 
 std::string dry_run(const Experiment& experiment, const RunnerOptions& options) {
   const auto plan = plan_runs(experiment, options);
   std::string text;
-  std::size_t finished = 0;
+  std::size_t finished = 0, absent = 0;
   for (const PlannedRun& run : plan) {
     if (run.state == RunState::finished) ++finished;
-    text += fmt::format("{:<24}  {:<40}  {}\n", text_of(run.state), run_text(run.run), run.record.string());
+    if (run.state == RunState::absent) ++absent;
+    text += fmt::format("{:<24}  {:<40}  {}\n", text_of(run.state), run_text(run.run),
+                        run.state == RunState::absent ? run.lacks : run.record.string());
   }
-  text += fmt::format("{}: {} to run, {} finished\n", experiment.name, plan.size() - finished, finished);
+  text += fmt::format("{}: {} to run, {} finished{}\n", experiment.name, plan.size() - finished - absent,
+                      finished, absent > 0 ? fmt::format(", {} skipped", absent) : "");
   return text;
 }
 
@@ -98,6 +109,11 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
   for (PlannedRun& run : plan_runs(experiment, options)) {
     if (run.state == RunState::finished) {
       ++counts.skipped;
+      continue;
+    }
+    if (run.state == RunState::absent) {
+      ++counts.absent;
+      fmt::print(options.log, "{}: skipped: {}\n", run_text(run.run), run.lacks);
       continue;
     }
     efforts.push_back(effort_of(run.run));

@@ -46,6 +46,7 @@ enum class RunState {
   failed,        ///< an error is on record; it is run again
   without_mesh,  ///< the record is there, the mesh that the experiment keeps is not; it is run again
   few_samples,   ///< fewer timed solves were asked for than now, and there is time for more; it is run again
+  absent,        ///< a mesh file that it names is not here; it is skipped
   finished       ///< whatever its termination: a solver that gave up is a result
 };
 
@@ -55,6 +56,7 @@ struct PlannedRun {
   std::filesystem::path record;
   std::filesystem::path mesh;  ///< beside the record, same stem; empty: not kept
   RunState state = RunState::missing;
+  std::string lacks = {};  ///< of what is absent, as text_of_absent() says it
 };
 
 /// Counts of distinct runs.
@@ -62,6 +64,7 @@ struct RunCounts {
   int done = 0;         ///< ran and was recorded
   int unconverged = 0;  ///< of those, neither optimal nor acceptable
   int skipped = 0;      ///< was finished already
+  int absent = 0;       ///< skipped, as a mesh file is not here
   int failed = 0;       ///< ended in an error, which was recorded
   bool interrupted = false;
 };
@@ -79,7 +82,7 @@ struct RunCounts {
 [[nodiscard]] std::string dry_run(const Experiment& experiment, const RunnerOptions& options = {});
 
 /// Runs what is not finished, in the order of the file. Every finished run is on disk before the next begins;
-/// an interrupted one leaves nothing.
+/// an interrupted one leaves nothing. What names an absent mesh file is skipped, with a line in the log.
 ///
 /// @throws InputError  a record that cannot be read or written
 RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& options = {},

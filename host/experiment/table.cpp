@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <system_error>
 
+#include "experiment/absent_files.hpp"
 #include "experiment/certificate_table.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/inertia_table.hpp"
@@ -92,7 +94,19 @@ std::vector<RecordedRun> collect(const Experiment& experiment, const std::filesy
 Tables tables_of(const Experiment& experiment, const std::vector<RecordedRun>& runs) {
   std::optional<Published> published;
   if (!experiment.published.empty()) published = read_published(published_file(experiment.published));
-  return find_table_kind(experiment.table).make(runs, published);
+  std::vector<RecordedRun> present;
+  std::map<std::string, int> absent;  // runs by what they lack
+  for (const RecordedRun& run : runs) {
+    const std::string lacks = run.path().empty() ? text_of_absent(run.run) : "";
+    if (lacks.empty())
+      present.push_back(run);
+    else
+      ++absent[lacks];
+  }
+  Tables tables = find_table_kind(experiment.table).make(present, published);
+  for (const auto& [lacks, count] : absent)
+    tables.legend += fmt::format("left out: {} run{}, {}\n", count, count == 1 ? "" : "s", lacks);
+  return tables;
 }
 
 std::string table_text(const Experiment& experiment, const std::vector<RecordedRun>& runs) {

@@ -47,7 +47,8 @@ struct TableKind {
 [[nodiscard]] std::vector<RecordedRun> collect(const Experiment& experiment,
                                                const std::filesystem::path& results);
 
-/// The tables that the experiment names, beside the published numbers that it names.
+/// The tables that the experiment names, beside the published numbers that it names. Runs that are not on
+/// record and name an absent mesh file are left out, and the legend says so.
 ///
 /// @throws InputError  published numbers that cannot be read
 [[nodiscard]] Tables tables_of(const Experiment& experiment, const std::vector<RecordedRun>& runs);

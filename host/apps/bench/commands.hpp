@@ -23,6 +23,7 @@ struct ExperimentOptions {
   std::string name;  ///< a path, or the name of an experiment that comes with the program
   std::string results = "results/runs";
   std::string csv_file;  ///< the tables as CSV, too
+  std::string models;    ///< where mesh files are that are not here; empty: see models_folder()
   std::string device;
   bool force = false, dry_run = false;
 };

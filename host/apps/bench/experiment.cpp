@@ -1,11 +1,15 @@
 #include "experiment/experiment.hpp"
 
 #include <fmt/format.h>
+#include <stdlib.h>
+
+#include <filesystem>
 
 #include "apps/bench/commands.hpp"
 #include "apps/shared/outputs.hpp"
 #include "body/source.hpp"
 #include "error.hpp"
+#include "experiment/absent_files.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/table.hpp"
@@ -16,10 +20,10 @@ namespace {
 
 void require_shapes(const ExperimentRun& run) {
   if (!run.nest) return require_known_source(run.config.body);
-  for (const std::string& shape : {run.nest->outer, run.nest->inner}) {
+  for (const std::string& shape : models_of(run)) {
     BodySpec spec;
     spec.model = shape;
-    if (!shape.empty()) require_known_source(spec);
+    require_known_source(spec);
   }
 }
 
@@ -34,11 +38,21 @@ void require_names(const Experiment& experiment) {
   }
 }
 
+/// Whoever reads a mesh looks there, programs that are called included.
+void look_for_files_in(const std::string& folder) {
+  if (folder.empty()) return;
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    throw InputError(fmt::format("--models {}: no such folder; expected one with mesh files", folder));
+  ::setenv("KREISEL_MODELS", folder.c_str(), 1);
+}
+
 }  // namespace
 
 int run_experiment(const ExperimentOptions& options) {
   Experiment experiment = read_experiment(find_experiment(options.name));
   require_names(experiment);
+  look_for_files_in(options.models);
   if (!options.csv_file.empty()) require_writable(options.csv_file, "--csv");
   if (!options.device.empty())
     for (ExperimentRun& run : experiment.runs)
@@ -56,8 +70,10 @@ int run_experiment(const ExperimentOptions& options) {
   const std::vector<RecordedRun> runs = collect(experiment, runner.results);
   fmt::print("{}", table_text(experiment, runs));
   if (!options.csv_file.empty()) write_text(options.csv_file, table_csv(experiment, runs));
-  fmt::print("\n{} runs done, {} finished before, {} failed; records in {}/{}\n", counts.done, counts.skipped,
-             counts.failed, options.results, experiment.name);
+  fmt::print("\n{} runs done, {} finished before, {} failed{}; records in {}/{}\n", counts.done,
+             counts.skipped, counts.failed,
+             counts.absent > 0 ? fmt::format(", {} skipped for want of a file", counts.absent) : "",
+             options.results, experiment.name);
   if (counts.interrupted) return was_interrupted;
   return counts.failed + counts.unconverged > 0 ? not_converged : done;
 }

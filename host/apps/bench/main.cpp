@@ -93,6 +93,9 @@ int dispatch(int argc, char** argv) {
   experiment->add_option("--results", parsed.experiment.results, "folder of the records")
       ->capture_default_str();
   experiment->add_option("--csv", parsed.experiment.csv_file, "write the table as CSV, too");
+  experiment->add_option(
+      "--models", parsed.experiment.models,
+      "folder of mesh files that are not in the current one; default KREISEL_MODELS, else models");
   experiment->add_option("--device", parsed.experiment.device, "as above, for every run");
   experiment->add_flag("--force", parsed.experiment.force, "run finished runs again");
   experiment->add_flag("--dry-run", parsed.experiment.dry_run, "say what would run");
