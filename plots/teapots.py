@@ -64,13 +64,13 @@ def figure(found, published):
     groups = by_model(found, paper)
     if not groups:
         raise records.BadRecord("no tops with their meshes, expected runs of top that lower none, height and mass")
-    picture, axes = plt.subplots(len(groups), 3, figsize=(11.5, 2.9 * len(groups) + 0.3), squeeze=False)
+    picture, axes = plt.subplots(len(groups), 3, figsize=(12, 2.6 * len(groups) + 0.4), squeeze=False)
     for line, (model, runs) in zip(axes, sorted(groups.items(), reverse=True)):
         for ax, (lower, words) in zip(line, OBJECTIVES.items()):
             draw(ax, runs[lower])
             theirs = f" (paper: {paper[lower]:.2f})" if lower in paper else ""
-            ax.set_title(f"{words}: {ratio(runs[lower]):.2f} times slower{theirs}", fontsize=10)
-            ax.text(0, 0.99, f"{pathlib.Path(model).name}, wall {runs[lower]['config']['wall']}",
+            ax.set_title(f"{words}: {ratio(runs[lower]):.2f} times slower{theirs}", fontsize=9)
+            ax.text(0, 0.95, f"{pathlib.Path(model).name}, wall {runs[lower]['config']['wall']}",
                     transform=ax.transAxes, fontsize=8, color=style.QUIET)
     picture.tight_layout(rect=(0, 0.3 / picture.get_figheight(), 1, 1))
     shown = [run for runs in groups.values() for run in runs.values()]
