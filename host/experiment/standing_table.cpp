@@ -44,23 +44,19 @@ std::optional<double> value_of(const RecordSummary& r, const std::string& name, 
 std::vector<Cell> row_of(const std::string& heading, const RecordedRun& run) {
   const RunConfig& config = run.run.config;
   const SolveCells solve(run);
-  std::vector<Cell> cells = {heading,
-                             run.run.label,
-                             config.formulation,
-                             solver_of(config),
-                             target_text(config),
-                             termination_text(run),
+  std::vector<Cell> cells = {heading,           run.run.label,       config.formulation,
+                             solver_of(config), target_text(config), termination_text(run),
                              solve.seconds};
   if (!has_result(run)) {
     cells.insert(cells.end(), 6, Cell::none());
     return cells;
   }
   const RecordSummary& r = *run.record;
-  cells.insert(cells.end(), {Cell::of(value_of(r, "height_share", 100), "{:.1f}"),
-                             Cell::of(value_of(r, "off_centroid_mm"), "{:.3f}"),
-                             Cell::of(value_of(r, "inside_mm"), "{:.3f}"),
-                             Cell::of(value_of(r, "tilt_degrees"), "{:.2f}"),
-                             Cell::of(r.written[S1] * r.mass_unit_grams, "{:.2f}"), solve.verified});
+  cells.insert(cells.end(),
+               {Cell::of(value_of(r, "height_share", 100), "{:.1f}"),
+                Cell::of(value_of(r, "off_centroid_mm"), "{:.3f}"),
+                Cell::of(value_of(r, "inside_mm"), "{:.3f}"), Cell::of(value_of(r, "tilt_degrees"), "{:.2f}"),
+                Cell::of(r.written[S1] * r.mass_unit_grams, "{:.2f}"), solve.verified});
   return cells;
 }
 

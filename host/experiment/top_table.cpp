@@ -52,7 +52,8 @@ std::vector<Cell> row_of(const RecordedRun& run, const std::optional<Published>&
   const RunConfig& config = run.run.config;
   const SolveCells solve(run);
   std::vector<Cell> row = opening_cells(run);
-  row.insert(row.end(), {to_string(config.wall), settings_text(config), termination_text(run), solve.objective});
+  row.insert(row.end(),
+             {to_string(config.wall), settings_text(config), termination_text(run), solve.objective});
   if (has_result(run) && run.record->written[S1] > 0) {
     const RecordSummary& r = *run.record;
     const SpinState solid = spin_state(r.solid), part = spin_state(r.written);

@@ -150,7 +150,9 @@ TEST(Shrunk, ARightTriangleIsScaledAboutItsIncentre) {
   const SupportPolygon triangle = hull_of({{0, 0}, {4, 0}, {0, 3}});
   const Vec2 incentre(1, 1);
   for (const double margin : {0.25, 0.5, 0.96}) {
-    const auto scaled = [&](const Vec2& corner) { return Vec2(incentre + (1 - margin) * (corner - incentre)); };
+    const auto scaled = [&](const Vec2& corner) {
+      return Vec2(incentre + (1 - margin) * (corner - incentre));
+    };
     expect_corners(shrunk(triangle, margin), {scaled({0, 0}), scaled({4, 0}), scaled({0, 3})});
   }
   expect_corners(shrunk(triangle, 0), triangle.corners, 0);

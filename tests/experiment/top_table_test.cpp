@@ -30,10 +30,10 @@ TEST(TopTable, SetsTheRatioOfSpeedsBesideThePapers) {
   // part.
   const double ratio = std::sqrt((0.5 / 1.25) / (0.125 / 3.9375));
   EXPECT_NEAR(ratio, 3.55, 0.005);
-  EXPECT_EQ(
-      squeezed_line(to_text(tables), "teapot  40x26x26  top      rayrep       1.5h  lower=none"),
-      "teapot 40x26x26 top rayrep 1.5h lower=none 0.8 44.4 | 0.00 0.00 5.00 1.385 655 | 1.25 1.969 185 | 3.55 "
-      "1.56 | yes")
+  EXPECT_EQ(squeezed_line(to_text(tables), "teapot  40x26x26  top      rayrep       1.5h  lower=none"),
+            "teapot 40x26x26 top rayrep 1.5h lower=none 0.8 44.4 | 0.00 0.00 5.00 1.385 655 | 1.25 1.969 185 "
+            "| 3.55 "
+            "1.56 | yes")
       << to_text(tables);
   const std::string other =
       squeezed_line(to_text(tables), "teapot  40x26x26  top      rayrep       1.5h  gamma_c=2");

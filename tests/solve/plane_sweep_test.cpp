@@ -81,8 +81,8 @@ Stand inside(double edge, double margin) {
 }
 
 TEST(PlaneSweep, CarvesUntilTheCentreIsInsideTheBaseAndNoFurther) {
-  // 6 x 32 voxels with the centre at 0. Without k of the farthest layer, at 2.5 h, it is at -2.5 h k / (192 - k):
-  // k = 18 is the first to pass -h/4, and k = 32 is at -h/2.
+  // 6 x 32 voxels with the centre at 0. Without k of the farthest layer, at 2.5 h, it is at -2.5 h k / (192 -
+  // k): k = 18 is the first to pass -h/4, and k = 32 is at -h/2.
   for (const auto& [margin, carved] : {std::pair{0.0, 18}, {h / 4, 32}}) {
     Carved box;
     const Stand stand = inside(-h / 4, margin);

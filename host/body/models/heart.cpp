@@ -16,8 +16,8 @@ double heart(const Vec3& p) {
   return join(lobes, cone(flat, Vec3(0, 0, 27.5), 14.6, Vec3(0, 0, 1.8), 1.8), 8.0);
 }
 
-// A rod through the middle, a knob to twirl it by, and a head that ends in a round tip. It leans from the heart's
-// thin direction, about which the heart's moment is the largest, by 19.5 degrees.
+// A rod through the middle, a knob to twirl it by, and a head that ends in a round tip. It leans from the
+// heart's thin direction, about which the heart's moment is the largest, by 19.5 degrees.
 const Vec3 middle(0, 0, 31.0), along = Vec3(1, 4, 1).normalized();
 constexpr double tip_at = -29.0, tip_radius = 1.6;
 

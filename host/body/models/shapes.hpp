@@ -40,8 +40,8 @@ namespace kreisel {
 /// @throws InputError  fineness out of range
 [[nodiscard]] TriangleMesh heart_shape(int fineness);
 
-/// The same heart with an arrow through it, 60 x 55.3 x 55.2 mm: along (1, 4, 1) from the knob to the tip, which
-/// is in front and half way up.
+/// The same heart with an arrow through it, 60 x 55.3 x 55.2 mm: along (1, 4, 1) from the knob to the tip,
+/// which is in front and half way up.
 /// @param fineness  1 to 300; below 30 as 30
 /// @throws InputError  fineness out of range
 [[nodiscard]] TriangleMesh arrow_heart_shape(int fineness);
