@@ -95,6 +95,23 @@ TEST_F(Report, DrawsThePartOfARunInMotionBesideItsSolid) {
   EXPECT_NE(page.find("alt=\"simulate\""), std::string::npos);
 }
 
+TEST_F(Report, DrawsTopsCutOpenWhereTheirMeshesAreKept) {
+  const std::string common =
+      "table = \"tops\"\nfigures = [\"teapots\"]\nresolution = 24\nfineness = 16\nproblem = \"top\"\n"
+      "formulation = \"quadric\"\n[[run]]\nset.problem.lower = [\"none\", \"height\", \"mass\"]\n";
+  std::ofstream(file("tops.toml")) << common << "mesh = true\n";
+  std::ofstream(file("bare.toml")) << common;
+  for (const std::string name : {"tops", "bare"}) {
+    (void)bench(fmt::format("run {} --results {}", file(name + ".toml"), file("runs")));
+    const BenchAnswer a = bench(fmt::format("report {} --results {} -o {}", file(name + ".toml"),
+                                            file("runs"), file(name + ".html")));
+    ASSERT_EQ(a.code, 0) << a.out;
+    const std::string page = content_of(file(name + ".html"));
+    EXPECT_EQ(count(page, "alt=\"teapots\""), name == "tops" ? 1u : 0u);
+    EXPECT_EQ(count(page, "no tops with their meshes"), name == "tops" ? 0u : 1u);
+  }
+}
+
 TEST_F(Report, SaysInOneLineThatNothingIsOnRecord) {
   for (const std::string arguments : {"", "rayrep_table2"}) {
     const BenchAnswer a =
