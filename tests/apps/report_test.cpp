@@ -97,7 +97,7 @@ TEST_F(Report, DrawsThePartOfARunInMotionBesideItsSolid) {
 
 TEST_F(Report, DrawsTopsCutOpenWhereTheirMeshesAreKept) {
   const std::string common =
-      "table = \"tops\"\nfigures = [\"teapots\"]\nresolution = 24\nfineness = 16\nproblem = \"top\"\n"
+      "table = \"tops\"\nfigures = [\"tops\"]\nresolution = 24\nfineness = 16\nproblem = \"top\"\n"
       "formulation = \"quadric\"\n[[run]]\nset.problem.lower = [\"none\", \"height\", \"mass\"]\n";
   std::ofstream(file("tops.toml")) << common << "mesh = true\n";
   std::ofstream(file("bare.toml")) << common;
@@ -107,7 +107,7 @@ TEST_F(Report, DrawsTopsCutOpenWhereTheirMeshesAreKept) {
                                             file("runs"), file(name + ".html")));
     ASSERT_EQ(a.code, 0) << a.out;
     const std::string page = content_of(file(name + ".html"));
-    EXPECT_EQ(count(page, "alt=\"teapots\""), name == "tops" ? 1u : 0u);
+    EXPECT_EQ(count(page, "alt=\"tops\""), name == "tops" ? 1u : 0u);
     EXPECT_EQ(count(page, "no tops with their meshes"), name == "tops" ? 0u : 1u);
   }
 }

@@ -21,13 +21,17 @@ def lowered(run):
     return run["config"].get("problem.lower", "mass")
 
 
+def name(model):
+    return pathlib.Path(model).stem
+
+
 def ratio(run):
     return run["verified"]["values"]["omega_reduction"]
 
 
 def by_model(found, paper):
     """{model: {what is lowered: run}} of tops whose meshes are at hand and whose weights are the default; of several
-    walls the one whose three ratios come nearest to the paper's."""
+    walls the one whose three ratios come nearest to the paper's. paper: {model: {what is lowered: ratio}}"""
     groups = {}
     for run in records.with_results(found):
         plain = "problem.gamma_c" not in run["config"] and "problem.gamma_i" not in run["config"]
@@ -38,7 +42,8 @@ def by_model(found, paper):
     for model, walls in groups.items():
         whole = [runs for runs in walls.values() if len(runs) == len(OBJECTIVES)]
         if whole:
-            best[model] = min(whole, key=lambda runs: sum((ratio(runs[k]) - paper.get(k, 0)) ** 2 for k in OBJECTIVES))
+            theirs = paper.get(name(model), {})
+            best[model] = min(whole, key=lambda runs: sum((ratio(runs[k]) - theirs.get(k, 0)) ** 2 for k in OBJECTIVES))
     return best
 
 
@@ -59,18 +64,21 @@ def draw(axes, run):
 
 
 def figure(found, published):
-    rows = records.read_published(published)[1] if published else []
-    paper = {row["settings"]["problem.lower"]: row["omega_reduction"] for row in rows if "omega_reduction" in row}
+    paper = {}
+    for row in records.read_published(published)[1] if published else []:
+        if "omega_reduction" in row:
+            paper.setdefault(row["model"], {})[row["settings"]["problem.lower"]] = row["omega_reduction"]
     groups = by_model(found, paper)
     if not groups:
         raise records.BadRecord("no tops with their meshes, expected runs of top that lower none, height and mass")
-    picture, axes = plt.subplots(len(groups), 3, figsize=(12, 2.6 * len(groups) + 0.4), squeeze=False)
+    picture, axes = plt.subplots(len(groups), 3, figsize=(12, 2.7 * len(groups) + 0.4), squeeze=False)
     for line, (model, runs) in zip(axes, sorted(groups.items(), reverse=True)):
         for ax, (lower, words) in zip(line, OBJECTIVES.items()):
             draw(ax, runs[lower])
-            theirs = f" (paper: {paper[lower]:.2f})" if lower in paper else ""
-            ax.set_title(f"{words}: {ratio(runs[lower]):.2f} times slower{theirs}", fontsize=9)
-            ax.text(0, 0.95, f"{pathlib.Path(model).name}, wall {runs[lower]['config']['wall']}",
+            theirs = paper.get(name(model), {}).get(lower)
+            beside = f" (paper: {theirs:.2f})" if theirs else ""
+            ax.set_title(f"{words}: {ratio(runs[lower]):.2f} times slower{beside}", fontsize=9)
+            ax.text(0, 0.01, f"{pathlib.Path(model).name}, wall {runs[lower]['config']['wall']}",
                     transform=ax.transAxes, fontsize=8, color=style.QUIET)
     picture.tight_layout(rect=(0, 0.3 / picture.get_figheight(), 1, 1))
     shown = [run for runs in groups.values() for run in runs.values()]
@@ -80,4 +88,4 @@ def figure(found, published):
 
 
 if __name__ == "__main__":
-    records.main_with(lambda: records.draw_folder(figure, __doc__, "teapots", published="spinit_teapot"))
+    records.main_with(lambda: records.draw_folder(figure, __doc__, "tops", published="spinit_teapot"))
