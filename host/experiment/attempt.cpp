@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "error.hpp"
+#include "experiment/child.hpp"
 #include "experiment/outside_nesting.hpp"
+#include "experiment/outside_solve.hpp"
 #include "experiment/run_text.hpp"
 #include "nest/baseline.hpp"
 #include "record/map_record.hpp"
@@ -163,6 +165,7 @@ std::unique_ptr<Attempt> make_attempt(const PlannedRun& run, const RunnerHooks& 
     return std::make_unique<Nesting>(run, hooks);
   }
   if (run.run.config.map) return std::make_unique<Mapping>(run, hooks);
+  if (run.run.config.limits.any()) return std::make_unique<OutsideSolve>(run);
   return std::make_unique<Solve>(run, hooks);
 }
 
@@ -175,6 +178,7 @@ RunState state_of(const PlannedRun& run) {
     return map.axes == map.asked ? RunState::finished : RunState::missing;
   }
   const RecordSummary record = read_record(run.record);
+  if (is_limit(run.run.config.limits, record.error)) return RunState::finished;
   if (!record.error.empty()) return RunState::failed;
   if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
   if (wants_more_samples(run.run.config, record)) return RunState::few_samples;

@@ -110,6 +110,8 @@ class Parser {
                                experiment_.table));
       if (!run.config.map && experiment_.table == "maps")
         fail(line, "table = \"maps\" with a run that is none, expected axes or through in every run");
+      if (run.config.limits.any() && (run.mesh || run.config.map))
+        fail(line, "memory or seconds with mesh = true or a map, expected a solve that keeps no mesh");
       if (run.mesh && (run.config.map || run.config.part == Part::none))
         fail(line, "mesh = true for a run that makes no part, expected a solve with part = \"written\"");
     }

@@ -1,9 +1,6 @@
 #include "experiment/maps_table.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <set>
 
 #include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
@@ -63,17 +60,6 @@ void add_case(Sheet& sheet, const RecordedRun& run, const MapSummary::Case& part
   sheet.add(std::move(cells));
 }
 
-std::string provenance_of_maps(const std::vector<RecordedRun>& runs) {
-  std::set<std::string> devices, commits;
-  for (const RecordedRun& run : runs) {
-    if (!run.map) continue;
-    devices.insert(run.map->device);
-    commits.insert(run.map->commit);
-  }
-  if (devices.empty()) return "no records yet\n";
-  return fmt::format("device {}; commit {}\n", fmt::join(devices, ", "), fmt::join(commits, ", "));
-}
-
 }  // namespace
 
 Tables maps_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>&) {
@@ -96,7 +82,7 @@ Tables maps_tables(const std::vector<RecordedRun>& runs, const std::optional<Pub
       "seconds: of the sweep over all axes, set-up excluded; spin, float: the optimum does, judged by its "
       "moments;\nbest: of least f to spin, of the highest metacentre to float; rpm: the least at which it is "
       "stable\n" +
-          provenance_of_maps(runs)};
+          provenance_text(runs) + '\n'};
 }
 
 }  // namespace kreisel

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <set>
 #include <string>
 #include <vector>
 
+#include "experiment/provenance_text.hpp"
 #include "experiment/run_text.hpp"
 #include "experiment/table.hpp"
 
@@ -19,17 +18,6 @@ namespace kreisel {
 [[nodiscard]] inline std::string note_of_nesting(const RecordedRun& run) {
   if (has_nesting(run)) return {};
   return fmt::format("{}: {}\n", run_text(run.run), run.nest ? "error - " + run.nest->error : "not run");
-}
-
-[[nodiscard]] inline std::string provenance_of_nestings(const std::vector<RecordedRun>& runs) {
-  std::set<std::string> devices, commits;
-  for (const RecordedRun& run : runs) {
-    if (!run.nest) continue;
-    devices.insert(run.nest->device);
-    commits.insert(run.nest->commit);
-  }
-  if (devices.empty()) return "no records yet\n";
-  return fmt::format("device {}; commit {}\n", fmt::join(devices, ", "), fmt::join(commits, ", "));
 }
 
 /// What each pair of shapes has, in the order of the runs.

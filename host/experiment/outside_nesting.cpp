@@ -1,38 +1,23 @@
 #include "experiment/outside_nesting.hpp"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cerrno>
-#include <csignal>
-#include <cstring>
+#include <algorithm>
 
 #include "error.hpp"
+#include "experiment/child.hpp"
 #include "experiment/run_text.hpp"
 #include "record/nest_record.hpp"
-
-extern char** environ;
 
 namespace kreisel {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int interrupted_code = 130;
-
-fs::path program() {
-  std::error_code ignored;
-  const fs::path path = fs::read_symlink("/proc/self/exe", ignored).parent_path() / "nest_baseline";
-  if (!fs::exists(path, ignored))
-    throw InputError(
-        fmt::format("{}: no such file; expected the program with pagmo's searches", path.string()));
-  return path;
-}
+constexpr int interrupted_code = 130;  // and of a program that Ctrl-C ends: 128 + SIGINT
 
 std::vector<std::string> words_of(const NestConfig& config, const fs::path& record) {
-  std::vector<std::string> words = {program().string(), "--record", record.string()};
+  std::vector<std::string> words = {program_beside("nest_baseline").string(), "--record", record.string()};
   for (const auto& [field, text] : describe(config)) {
     words.push_back("--" + field);
     // Several words are several arguments.
@@ -50,17 +35,7 @@ std::vector<std::string> words_of(const NestConfig& config, const fs::path& reco
 
 void OutsideNesting::run(const Progress& progress) {
   if (progress) progress("by nest_baseline");
-  std::vector<std::string> words = words_of(*run_.run.nest, run_.record);
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  pid_t child = 0;
-  if (const int error = posix_spawn(&child, words[0].c_str(), nullptr, nullptr, arguments.data(), environ))
-    throw InputError(fmt::format("{}: {}; expected a program", words[0], std::strerror(error)));
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : interrupted_code;
+  const int code = run_child(words_of(*run_.run.nest, run_.record)).code;
   whole_ = code != interrupted_code;
   if (whole_ && code != 0)
     throw InputError(fmt::format("nest_baseline ended with code {}, and said why", code));

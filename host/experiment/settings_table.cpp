@@ -113,7 +113,8 @@ Sheet empty_sheet(bool labels, bool certified, By by) {
                                         {"objective", "", "f"},
                                         {"objective_above_best_percent", "", "above best, %"},
                                         {"violation", "", "violation"},
-                                        {"verified", "", "verified", true}};
+                                        {"verified", "", "verified", true},
+                                        {"setup_seconds", "", "set-up", false, true}};
   if (certified) columns.push_back({"gap_percent", "", "gap %"});
   return Sheet(std::move(columns));
 }
@@ -161,7 +162,8 @@ void add_row(Block& block, const Group& group, const RecordedRun& run, const Fie
                              solve.objective,
                              Cell::of(above, "{:.3f}"),
                              solve.violation,
-                             solve.verified};
+                             solve.verified,
+                             solve.setup};
   if (certified) cells.push_back(gap_cell(run));
   block.sheet.add(std::move(cells));
   block.notes += note_of(run, true, setting);

@@ -22,12 +22,12 @@ void Sheet::add(std::vector<Cell> row) {
 std::string Sheet::text() const {
   std::vector<TextTable::Column> shown;
   for (const Column& column : columns_)
-    if (!column.heading.empty()) shown.push_back({column.group, column.heading, column.left});
+    if (column.shown()) shown.push_back({column.group, column.heading, column.left});
   TextTable table(std::move(shown));
   for (const auto& row : rows_) {
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < columns_.size(); ++c)
-      if (!columns_[c].heading.empty()) cells.push_back(row[c].text);
+      if (columns_[c].shown()) cells.push_back(row[c].text);
     table.add(std::move(cells));
   }
   return table.text();

@@ -33,6 +33,9 @@ class Sheet {
     std::string data;            ///< heading in CSV; empty: not there
     std::string group, heading;  ///< in text, as TextTable has them; heading empty: not there
     bool left = false;
+    bool hidden = false;  ///< not in text, though it has a heading there
+
+    [[nodiscard]] bool shown() const { return !heading.empty() && !hidden; }
   };
 
   explicit Sheet(std::vector<Column> columns) : columns_(std::move(columns)) {}

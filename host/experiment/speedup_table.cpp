@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "experiment/child.hpp"
 #include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
 #include "experiment/text_table.hpp"
@@ -97,15 +98,24 @@ std::optional<PublishedRow::Side> published_side(const Row& row, bool rays) {
   return rays ? row.published->rayrep : row.published->voxel;
 }
 
+/// Seconds as they are printed: marked where the solve did not end well, and what was ended at a limit has
+/// that limit in their place.
+Cell marked(const RecordedRun* side, Cell seconds) {
+  if (!side || !side->record || is_optimal(*side)) return seconds;
+  if (is_limit(side->run.config.limits, side->record->error)) seconds.text = side->record->error;
+  seconds.text += " !";
+  return seconds;
+}
+
 void add_side(std::vector<Cell>& cells, const RecordedRun* side,
               const std::optional<PublishedRow::Side>& there) {
   RecordedRun nothing;
   SolveCells solve(side ? *side : nothing);
-  if (side && side->record && !is_optimal(*side)) solve.seconds.text += " !";
+  solve.seconds = marked(side, std::move(solve.seconds));
   cells.insert(cells.end(), {solve.variables, solve.seconds, solve.half_iqr, solve.samples, solve.iterations,
                              solve.objective, side ? termination_text(*side) : "",
                              there ? fmt::format("{}", there->variables) : "",
-                             there ? fmt::format("{}", there->seconds) : ""});
+                             there ? fmt::format("{}", there->seconds) : "", solve.setup});
 }
 
 /// "ipopt, hessian_approximation=exact": what sets the runs of one side apart from the defaults.
@@ -138,27 +148,28 @@ struct Layout {
 std::vector<Sheet::Column> columns(const Layout& layout) {
   std::vector<Sheet::Column> all = {
       {"label", "", ""}, {"model", "", ""}, {"grid", "", ""}, {"", "", "model, grid", true}};
-  const auto unless_quadric = [&](const char* heading) { return layout.quadric ? "" : heading; };
   for (const std::string side : {"rayrep", "voxel"}) {
     const std::string group = side == "rayrep" ? "ray-rep" : side;
-    const auto add = [&](const char* data, const char* heading) {
-      all.push_back({side + '_' + data, group, heading});
+    const auto add = [&](const char* data, const char* heading, bool hidden = false) {
+      all.push_back({side + '_' + data, group, heading, false, hidden});
     };
-    add("variables", unless_quadric("vars"));
+    add("variables", "vars", layout.quadric);
     add("seconds", "seconds");
     for (const char* data : {"seconds_half_iqr", "samples"}) add(data, "");
-    add("iterations", unless_quadric("iter"));
-    add("objective", layout.quadric && layout.certified ? "" : "f");
+    add("iterations", "iter", layout.quadric);
+    add("objective", "f", layout.quadric && layout.certified);
     for (const char* data : {"termination", "published_variables", "published_seconds"}) add(data, "");
+    add("setup_seconds", "set-up", true);
   }
-  all.insert(all.end(), {{"objective_difference_percent", "f", unless_quadric("diff %")},
+  all.insert(all.end(), {{"objective_difference_percent", "f", "diff %", false, layout.quadric},
                          {"speedup", "speed-up", "here"},
                          {"published_speedup", "speed-up", "paper"},
-                         {"speedup_ratio", "speed-up", unless_quadric("ratio")},
-                         {"rayrep_variables_excess_percent", "vars, %", unless_quadric("ray")},
-                         {"voxel_variables_excess_percent", "vars, %", unless_quadric("voxel")}});
+                         {"speedup_ratio", "speed-up", "ratio", false, layout.quadric},
+                         {"rayrep_variables_excess_percent", "vars, %", "ray", false, layout.quadric},
+                         {"voxel_variables_excess_percent", "vars, %", "voxel", false, layout.quadric}});
   if (layout.quadric)
     all.insert(all.end(), {{"quadric_seconds", "quadric", "seconds"},
+                           {"quadric_setup_seconds", "quadric", "set-up"},
                            {"quadric_seconds_half_iqr", "quadric", ""},
                            {"quadric_samples", "quadric", ""},
                            {"quadric_iterations", "quadric", ""},
@@ -175,9 +186,9 @@ std::vector<Sheet::Column> columns(const Layout& layout) {
 void add_quadric(std::vector<Cell>& cells, const Row& row) {
   const RecordedRun nothing;
   SolveCells solve(row.quadric ? *row.quadric : nothing);
-  if (row.quadric && row.quadric->record && !is_optimal(*row.quadric)) solve.seconds.text += " !";
-  cells.insert(cells.end(), {solve.seconds, solve.half_iqr, solve.samples, solve.iterations, solve.objective,
-                             row.quadric ? termination_text(*row.quadric) : "",
+  solve.seconds = marked(row.quadric, std::move(solve.seconds));
+  cells.insert(cells.end(), {solve.seconds, solve.setup, solve.half_iqr, solve.samples, solve.iterations,
+                             solve.objective, row.quadric ? termination_text(*row.quadric) : "",
                              Cell::of(times_faster(row.quadric, row.rayrep), "{:.0f}"),
                              Cell::of(times_faster(row.quadric, row.voxel), "{:.0f}")});
 }
@@ -225,6 +236,8 @@ Tables speedup_tables(const std::vector<RecordedRun>& runs, const std::optional<
   tables.legend =
       "seconds: median ± half the interquartile range of the solve, set-up excluded; f: objective; speed-up: "
       "voxel seconds / ray-rep seconds\n";
+  if (layout.quadric)
+    tables.legend += "set-up: seconds from the model to its columns, much the same for all three\n";
   tables.legend +=
       layout.quadric
           ? "faster than: how many times the quadric's seconds the others take, on the same domain\n"

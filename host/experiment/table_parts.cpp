@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "experiment/run_text.hpp"
@@ -46,22 +45,6 @@ bool is_converged(const RecordedRun& run) {
 std::string termination_text(const RecordedRun& run) {
   if (!run.record) return "not run";
   return run.record->error.empty() ? run.record->termination : "error";
-}
-
-std::string provenance_text(const std::vector<RecordedRun>& runs) {
-  std::set<std::string> devices, commits;
-  std::set<std::size_t> samples;
-  for (const RecordedRun& run : runs) {
-    if (!has_result(run)) continue;
-    devices.insert(run.record->device);
-    commits.insert(run.record->commit);
-    samples.insert(run.record->samples.size());
-  }
-  if (samples.empty()) return "no records yet";
-  const std::size_t least = *samples.begin(), most = *samples.rbegin();
-  const std::string count = least == most ? fmt::format("{} sample{} each", most, most == 1 ? "" : "s")
-                                          : fmt::format("{} to {} samples each", least, most);
-  return fmt::format("device {}; commit {}; {}", fmt::join(devices, ", "), fmt::join(commits, ", "), count);
 }
 
 std::string grid_text(const RecordedRun& run) {
@@ -124,6 +107,7 @@ SolveCells::SolveCells(const RecordedRun& run) {
   variables = fmt::format("{}", r.variables);
   iterations = fmt::format("{}", r.iterations);
   seconds = {seconds_text(r), fmt::format("{}", r.median.solve)};
+  setup = Cell::of(r.median.setup, "{:.2f}");
   half_iqr = fmt::format("{}", half_interquartile_range(r.samples));
   samples = fmt::format("{}", r.samples.size());
   objective = Cell::of(r.objective, "{:.6g}");

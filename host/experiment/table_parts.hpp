@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "experiment/provenance_text.hpp"
 #include "experiment/table.hpp"
 
 namespace kreisel {
@@ -29,9 +30,6 @@ namespace kreisel {
 /// Has a result that a time or an objective may be compared with: optimal or acceptable. What a solve that
 /// gave up took says nothing.
 [[nodiscard]] bool is_converged(const RecordedRun& run);
-
-/// "device ..., commit ..., 5 samples each": where the numbers of a table come from. One line.
-[[nodiscard]] std::string provenance_text(const std::vector<RecordedRun>& runs);
 
 /// The grid of the run, of the record where the run gives only the longest side.
 [[nodiscard]] std::string grid_text(const RecordedRun& run);
@@ -65,7 +63,8 @@ inline constexpr std::string_view certified_legend =
 struct SolveCells {
   explicit SolveCells(const RecordedRun& run);
   Cell variables = Cell::none(), iterations = Cell::none(), seconds = Cell::none(), half_iqr = Cell::none(),
-       samples = Cell::none(), objective = Cell::none(), violation = Cell::none(), verified = Cell::none(),
+       setup = Cell::none(),  ///< seconds from the model to its columns: what comes before every solve
+      samples = Cell::none(), objective = Cell::none(), violation = Cell::none(), verified = Cell::none(),
        device = Cell::none(), commit = Cell::none();
 };
 

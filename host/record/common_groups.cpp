@@ -25,6 +25,7 @@ void write_provenance(hdf5::Group group, const Provenance& p) {
   group.set("linear_solver", p.linear_solver);
   group.set("blas", p.blas);
   group.set("started", p.started);
+  group.set("load", p.load);
 }
 
 }  // namespace kreisel

@@ -22,6 +22,7 @@ void write_map(const std::filesystem::path& path, const OrientationMap& map);
 struct MapSummary {
   std::filesystem::path path;
   std::string model, problem, through, commit, device, started;
+  std::optional<double> load;  ///< none: of an early record
   std::array<int, 3> grid{};
   std::size_t rays = 0, axes = 0, asked = 0;
   double setup_seconds = 0, sweep_seconds = 0;

@@ -56,6 +56,7 @@ struct NestSummary {
   std::vector<LayerSummary> layers;
   std::optional<LandscapeSummary> landscape;
   std::string commit, device, started;
+  std::optional<double> load;  ///< none: of an early record
 };
 
 /// Is it a nesting's record? @throws InputError  no HDF5 file

@@ -75,6 +75,7 @@ MapSummary read_map(const std::filesystem::path& path) {
   map.commit = provenance.text("commit");
   map.device = provenance.text("device");
   map.started = provenance.text("started");
+  if (provenance.has("load")) map.load = provenance.real("load");
   const Group domain = file.group("domain");
   map.rays = static_cast<std::size_t>(domain.integer("rays"));
   const auto grid = domain.read_integers("grid");

@@ -71,6 +71,7 @@ NestSummary read_nest(const std::filesystem::path& path) {
   nest.commit = provenance.text("commit");
   nest.device = provenance.text("device");
   nest.started = provenance.text("started");
+  if (provenance.has("load")) nest.load = provenance.real("load");
   if (file.has("error")) {
     nest.error = file.text("error");
     return nest;

@@ -127,6 +127,7 @@ RecordSummary read_record(const std::filesystem::path& path) {
   summary.commit = provenance.text("commit");
   summary.device = provenance.text("device");
   summary.started = provenance.text("started");
+  if (provenance.has("load")) summary.load = provenance.real("load");
   summary.model = file.text("model");
   summary.problem = file.text("problem");
   summary.formulation = file.text("formulation");

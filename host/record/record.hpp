@@ -64,6 +64,7 @@ struct RecordSummary {
   int repeat = 1;             ///< timed solves asked for
   double budget_seconds = 0;  ///< after which none was begun
   std::string commit, device, started;
+  std::optional<double> load;  ///< none: of an early record
 };
 
 /// @throws InputError  not a record, or of a newer schema

@@ -134,6 +134,16 @@ const std::map<std::string_view, Setter>& setters() {
          c.budget_seconds = number(k, v);
          if (c.budget_seconds < 0) refuse(k, v, "seconds >= 0");
        }},
+      {"memory",
+       [](C c, S k, S v) {
+         c.limits.gigabytes = number(k, v);
+         if (!(c.limits.gigabytes > 0)) refuse(k, v, "GB > 0");
+       }},
+      {"seconds",
+       [](C c, S k, S v) {
+         c.limits.seconds = number(k, v);
+         if (!(c.limits.seconds > 0)) refuse(k, v, "seconds > 0");
+       }},
       {"certify",
        [](C c, S k, S v) {
          c.certify = number(k, v);

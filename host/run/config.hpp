@@ -32,6 +32,14 @@ struct MapConfig {
   std::vector<std::string> drafts;  ///< of `float`: a case each, as `problem.draft` takes them
 };
 
+/// What a run may take, as a process of its own. 0: as much as there is.
+struct Limits {
+  double gigabytes = 0;  ///< 1e9 bytes of memory in use; what is asked for and never touched does not count
+  double seconds = 0;    ///< from start to end, wall time
+
+  [[nodiscard]] bool any() const { return gigabytes > 0 || seconds > 0; }
+};
+
 /// One run. Defaults are those of `bench --formulation rayrep`.
 struct RunConfig {
   BodySpec body;
@@ -49,14 +57,15 @@ struct RunConfig {
   int repeat = 1;              ///< timed solves at most, >= 1
   double budget_seconds = 20;  ///< no further repetition starts once this is spent
   double certify = 0;          ///< relative gap to prove between result and bound; 0: no certificate
+  Limits limits;               ///< of a run of an experiment
   std::optional<MapConfig> map;  ///< the run is a map of orientations, by quadric and moment, not a solve
 };
 
 /// Sets one field from text, as the command line and TOML files name them: model, problem, formulation,
 /// solver, domain, resolution (N or NXxNYxNZ), level (of an octree: 2^level cells), wall, rounding, part,
 /// axis, contact, up ("x,y,z"), unit, size, density, interior-density, void-density, axle, slot, axle-depth
-/// (mm), fineness, device, precision, repeat, budget, certify, and GROUP.NAME for settings. Any of axes,
-/// through and drafts ("20%,40%") makes the run a map.
+/// (mm), fineness, device, precision, repeat, budget, memory (GB), seconds, certify, and GROUP.NAME for
+/// settings. Any of axes, through and drafts ("20%,40%") makes the run a map.
 ///
 /// @throws InputError  unknown key or unfit value; names both and what was expected
 void set_field(RunConfig& config, std::string_view key, std::string_view value);
@@ -73,7 +82,8 @@ void set_field(RunConfig& config, std::string_view key, std::string_view value);
 /// The settings of one group, without its prefix.
 [[nodiscard]] std::map<std::string, std::string> settings_of(const RunConfig& config, std::string_view group);
 
-/// Every field that defines the result (not repeat and budget) as sorted key -> text; the identity of a run.
+/// Every field that defines the result (not repeat, budget and limits) as sorted key -> text; the identity of
+/// a run.
 [[nodiscard]] std::map<std::string, std::string> describe(const RunConfig& config);
 
 /// Stable file stem of a run: readable parts and a hash of describe(), e.g.

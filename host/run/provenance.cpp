@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <thread>
@@ -58,6 +59,7 @@ Provenance make_provenance(const device::Device& device) {
   p.linear_solver = "arrow, MUMPS";  // which one solved is among the solver's settings
   p.blas = blas_name();
   p.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  if (::getloadavg(&p.load, 1) != 1) p.load = 0;
   return p;
 }
 

@@ -17,6 +17,7 @@ struct Provenance {
   bool device_fp64 = false, single_precision = false;
   std::string ipopt_version, linear_solver, blas;
   std::string started;  ///< UTC, ISO 8601
+  double load = 0;      ///< runnable threads of the whole machine, mean over the minute before `started`
 };
 
 [[nodiscard]] Provenance make_provenance(const device::Device& device);

@@ -241,6 +241,31 @@ TEST(SpeedupTable, ShowsADashForWhatDidNotRunOrEndedInAnError) {
   EXPECT_NE(text.find("! ellipsoid 64x42x41, ray-rep: error - out of memory\n"), std::string::npos) << text;
 }
 
+TEST(SpeedupTable, ShowsTheLimitThatARunMetInPlaceOfItsSeconds) {
+  auto runs = whole_table();
+  runs.resize(2);
+  runs[1].run.config.limits = {8, 600};
+  runs[1].record = RecordSummary{};
+  runs[1].record->error = "more than 8 GB";
+  EXPECT_EQ(line_with(speedup_text(runs, published()), "ellipsoid 80x52x51"),
+            "ellipsoid 80x52x51 | 5882 1.79 ± 0.00 20 0.5 | - more than 8 GB ! - - | - | - 19.41 - | +0.0 -");
+}
+
+TEST(SpeedupTable, HasTheSetUpBesideAQuadric) {
+  auto runs = whole_table();
+  runs.resize(2);
+  EXPECT_EQ(speedup_text(runs, published()).find("set-up:"), std::string::npos);
+  runs.push_back(runs[0]);
+  runs[2].run.config.formulation = "quadric";
+  runs[2].record->median = {0.25, 0, 0.00179, 0.25179};
+  runs[2].record->samples.assign(51, runs[2].record->median);
+  const std::string text = speedup_text(runs, published());
+  EXPECT_NE(line_with(text, "ellipsoid 80x52x51").find("0.00179 ± 0.00000 0.25 0.5 | 1000 "),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("set-up: seconds from the model to its columns"), std::string::npos) << text;
+}
+
 TEST(SpeedupTable, PrintsOneTableALabelAndRowsInTheOrderOfThePaper) {
   std::vector<RecordedRun> runs = {made_by_hand(table2[4], true, "best"),
                                    made_by_hand(table2[1], true, "best"),

@@ -23,7 +23,7 @@ ATTRIBUTES = {
         "version": TEXT, "commit": TEXT, "compiler": TEXT, "build_type": TEXT, "host": TEXT,
         "processor": TEXT, "system": TEXT, "threads": WHOLE, "device": TEXT, "platform": TEXT,
         "driver": TEXT, "device_version": TEXT, "device_fp64": FLAG, "single_precision": FLAG,
-        "ipopt_version": TEXT, "linear_solver": TEXT, "blas": TEXT, "started": TEXT,
+        "ipopt_version": TEXT, "linear_solver": TEXT, "blas": TEXT, "started": TEXT, "load": REAL,
     },
     "/body": {
         "name": TEXT, "repairs": TEXT, "density": REAL, "interior_density": REAL, "void_density": REAL, "density_units": TEXT, "solid_mass": REAL, "solid_mass_units": TEXT,

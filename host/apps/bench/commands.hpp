@@ -66,9 +66,12 @@ int nest_shapes(const NestOptions& options);
 struct ReportOptions {
   std::vector<std::string> experiments;  ///< as ExperimentOptions::name; empty: all that have records
   std::string results = "results/runs", output = "report.html";
+  std::vector<std::string> markdown;  ///< files with marked places for tables; then there is no page
 };
 /// Tables and figures of experiments that have been run, as one HTML page.
 int report(const ReportOptions& options);
+/// Their tables, in the marked places of Markdown files. [docs/experiments.md]
+int report_markdown(const ReportOptions& options);
 
 /// Prints records, or the table of an experiment whose runs they are.
 int show(const std::vector<std::string>& paths);

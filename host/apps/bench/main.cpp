@@ -120,6 +120,10 @@ int dispatch(int argc, char** argv) {
   reported->add_option("experiments", parsed.report.experiments, "default: all that have records");
   reported->add_option("--results", parsed.report.results, "folder of the records")->capture_default_str();
   reported->add_option("-o,--output", parsed.report.output, "the page")->capture_default_str();
+  reported
+      ->add_option("--markdown", parsed.report.markdown,
+                   "no page: write the tables into the marked places of these files")
+      ->type_name("FILE ...");
   CLI::App* shown = app.add_subcommand("show", "print records");
   shown->add_option("records", parsed.paths, "HDF5 files, or folders of them")->required();
   CLI::App* listed =
@@ -150,7 +154,8 @@ int dispatch(int argc, char** argv) {
     return simulate_part(parsed.simulate);
   }
   if (*nested) return nest_shapes(parsed.nest);
-  if (*reported) return report(parsed.report);
+  if (*reported)
+    return parsed.report.markdown.empty() ? report(parsed.report) : report_markdown(parsed.report);
   if (*shown) return show(parsed.paths);
   if (*listed) return list();
   if (*probed) return devices(!parsed.no_measure, parsed.only_device);

@@ -40,11 +40,11 @@ json to_json(const Tables& tables) {
     for (const auto& row : block.sheet.rows()) {
       json& cells = rows.emplace_back(json::array());
       for (std::size_t c = 0; c < all.size(); ++c)
-        if (!all[c].heading.empty()) cells.push_back(row[c].text);
+        if (all[c].shown()) cells.push_back(row[c].text);
     }
     if (columns.empty())
       for (const auto& column : all)
-        if (!column.heading.empty())
+        if (column.shown())
           columns.push_back({{"group", column.group}, {"heading", column.heading}, {"left", column.left}});
     blocks.push_back({{"heading", block.heading}, {"rows", rows}, {"notes", block.notes}});
   }

@@ -1,0 +1,83 @@
+#include "experiment/outside_solve.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "error.hpp"
+#include "experiment/child.hpp"
+#include "experiment/run_text.hpp"
+#include "record/record.hpp"
+
+namespace kreisel {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of `bench`, docs/output.md.
+constexpr int converged_code = 0, infeasible_code = 3, not_converged_code = 4, interrupted_code = 130;
+
+std::vector<std::string> words_of(const RunConfig& config, const fs::path& record) {
+  std::vector<std::string> words = {program_beside("bench").string(),
+                                    "--record",
+                                    record.string(),
+                                    "--repeat",
+                                    fmt::format("{}", config.repeat),
+                                    "--budget",
+                                    fmt::format("{}", config.budget_seconds)};
+  for (const auto& [field, text] : describe(config)) {
+    if (field.find('.') == std::string::npos)
+      words.push_back(fmt::format("--{}={}", field, text));
+    else
+      words.insert(words.end(), {"--set", fmt::format("{}={}", field, text)});
+  }
+  return words;
+}
+
+/// "bench: what": the program's name is no part of why a run failed.
+std::string without_name(const std::string& line) {
+  constexpr std::string_view name = "bench: ";
+  return line.starts_with(name) ? line.substr(name.size()) : line;
+}
+
+}  // namespace
+
+OutsideSolve::OutsideSolve(const PlannedRun& run)
+    : run_(run), partial_(fs::path(run.record).replace_extension(".new.h5")) {}
+
+OutsideSolve::~OutsideSolve() {
+  std::error_code ignored;
+  fs::remove(partial_, ignored);
+}
+
+void OutsideSolve::run(const Progress& progress) {
+  const Limits& limits = run_.run.config.limits;
+  if (progress) progress("in a process of its own");
+  const ChildEnd end = run_child(words_of(run_.run.config, partial_), limits, true);
+  if (!end.limit.empty()) throw InputError(end.limit);
+  whole_ = end.code != interrupted_code;
+  if (!whole_) return;
+  std::error_code ignored;
+  const bool ended =
+      end.code == converged_code || end.code == infeasible_code || end.code == not_converged_code;
+  if (!ended || !fs::exists(partial_, ignored))
+    throw InputError(end.last_words.empty() ? fmt::format("bench ended with code {}", end.code)
+                                            : without_name(end.last_words));
+  converged_ = end.code == converged_code;
+}
+
+std::string OutsideSolve::text() const {
+  const RecordSummary r = read_record(run_.record);
+  return fmt::format("{}: {}, {} variables, {} iterations, {:.3g} s, f = {:.6g}", run_text(run_.run),
+                     r.termination, r.variables, r.iterations, r.median.solve, r.objective);
+}
+
+void OutsideSolve::keep() {
+  std::error_code error;
+  fs::rename(partial_, run_.record, error);
+  if (error)
+    throw InputError(
+        fmt::format("{}: {}, expected to keep the record there", run_.record.string(), error.message()));
+}
+
+}  // namespace kreisel
