@@ -7,6 +7,7 @@
 #include "error.hpp"
 #include "experiment/child.hpp"
 #include "experiment/run_text.hpp"
+#include "memory.hpp"
 #include "record/record.hpp"
 
 namespace kreisel {
@@ -14,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double giga = 1e9;
 // Of `bench`, docs/output.md.
 constexpr int converged_code = 0, infeasible_code = 3, not_converged_code = 4, interrupted_code = 130;
 
@@ -58,9 +60,14 @@ void OutsideSolve::run(const Progress& progress) {
   whole_ = end.code != interrupted_code;
   if (!whole_) return;
   std::error_code ignored;
+  const bool recorded = fs::exists(partial_, ignored);
+  // `bench` ends so when it asks for memory and there is none, however little it has used by then.
+  const bool refused_memory = end.code == not_converged_code && !recorded;
+  if (refused_memory && limits.gigabytes > 0 && available_memory().bytes > giga * limits.gigabytes)
+    throw InputError(memory_limit_text(limits));
   const bool ended =
       end.code == converged_code || end.code == infeasible_code || end.code == not_converged_code;
-  if (!ended || !fs::exists(partial_, ignored))
+  if (!ended || !recorded)
     throw InputError(end.last_words.empty() ? fmt::format("bench ended with code {}", end.code)
                                             : without_name(end.last_words));
   converged_ = end.code == converged_code;
