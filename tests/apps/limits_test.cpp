@@ -14,7 +14,7 @@ class LimitedRun : public ::testing::Test {
  protected:
   /// Writes the experiment and runs it. @param limits  lines of it
   BenchAnswer run(const std::string& limits, const std::string& more = "") const {
-    (void)folder_.write("limited.toml", "resolution = 16\nfineness = 16\npart = \"none\"\n" + limits +
+    (void)folder_.write("limited.toml", "resolution = 24\nfineness = 16\npart = \"none\"\n" + limits +
                                             "[[run]]\nset.solver.start = \"lower\"\n" + more);
     return bench("run limited.toml", fmt::format("cd '{}' &&", folder_.path.string()));
   }

@@ -52,7 +52,7 @@ class MarkdownReport : public ::testing::Test {
  protected:
   void SetUp() override {
     (void)folder_.write("experiments/tiny.toml",
-                        "model = \"ellipsoid\"\nresolution = 16\nfineness = 16\npart = \"none\"\n"
+                        "model = \"ellipsoid\"\nresolution = 24\nfineness = 16\npart = \"none\"\n"
                         "formulation = \"quadric\"\n[[run]]\n");
     (void)folder_.write("experiments/other.toml", "[[run]]\nmodel = \"bird\"\n");
     const BenchAnswer ran = in_folder("run tiny");

@@ -10,7 +10,7 @@ namespace kreisel {
 namespace {
 
 Tables two_blocks() {
-  const auto sheet = [](const std::string& name) {
+  const auto sheet_with = [](const std::string& name) {
     Sheet sheet({{"name", "", "name", true},
                  {"all_digits", "", ""},
                  {"", "g", "seen"},
@@ -18,7 +18,8 @@ Tables two_blocks() {
     sheet.add({name, "1.25", "x|y", Cell::of(0.5, "{:.2f}")});
     return sheet;
   };
-  return {{{"first\n  more of it", sheet("a"), "! a note\n"}, {"second", sheet("b"), ""}}, "what it means\n"};
+  return {{{"first\n  more of it", sheet_with("a"), "! a note\n"}, {"second", sheet_with("b"), ""}},
+          "what it means\n"};
 }
 
 TEST(Markdown, SetsOutBlocksWithNotesAndLegend) {

@@ -31,7 +31,7 @@ TEST(SpeedupTable, SetsAQuadricBesideBoth) {
   const Tables tables = speedup_tables(three_ways(), {});
   const std::string text = to_text(tables);
   EXPECT_EQ(squeezed_line(text, "ellipsoid"),
-            "ellipsoid 40x26x26 | 0.500 | 4.00 | 8.00 - | 0.00200 0.8 | 250 2000 | 0.3 0.2 0.04");
+            "ellipsoid 40x26x26 | 0.500 | 4.00 | 8.00 - | 0.00200 0.00 0.8 | 250 2000 | 0.3 0.2 0.04");
   EXPECT_NE(text.find("\n  quadric: moment\n"), std::string::npos) << text;
   const std::string csv = to_csv(tables);
   for (const char* column : {"rayrep_objective", "voxel_iterations", "objective_difference_percent",
@@ -43,11 +43,11 @@ TEST(SpeedupTable, ComparesAQuadricWithConvergedSolvesAlone) {
   auto runs = three_ways();
   runs[1].record->termination = "failed";
   EXPECT_EQ(squeezed_line(to_text(speedup_tables(runs, {})), "ellipsoid"),
-            "ellipsoid 40x26x26 | 0.500 | 4.00 ! | - - | 0.00200 0.8 | 250 - | 0.3 0.2 0.04");
+            "ellipsoid 40x26x26 | 0.500 | 4.00 ! | - - | 0.00200 0.00 0.8 | 250 - | 0.3 0.2 0.04");
   runs = three_ways();
   runs[2].record.reset();
   EXPECT_EQ(squeezed_line(to_text(speedup_tables(runs, {})), "ellipsoid"),
-            "ellipsoid 40x26x26 | 0.500 | 4.00 | 8.00 - | - - | - - | 0.3 0.2 -");
+            "ellipsoid 40x26x26 | 0.500 | 4.00 | 8.00 - | - - - | - - | 0.3 0.2 -");
 }
 
 TEST(SpeedupTable, FitsALineWithQuadrics) {
