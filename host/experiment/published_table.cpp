@@ -16,7 +16,7 @@ std::optional<PublishedRow::Side> side_of(const RecordedRun& run, const Publishe
 }
 
 Sheet empty_sheet(bool certified) {
-  std::vector<Sheet::Column> columns = {{"label", "", ""},
+  std::vector<Sheet::Column> columns = {{"label", "", "", true},
                                         {"model", "", "model", true},
                                         {"grid", "", "grid", true},
                                         {"problem", "", "problem", true},

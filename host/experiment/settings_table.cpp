@@ -93,10 +93,10 @@ std::optional<double> best_of(const Group& group) {
 }
 
 Sheet empty_sheet(bool labels, bool certified, By by) {
-  std::vector<Sheet::Column> columns = {{"model", "", ""},
-                                        {"grid", "", ""},
-                                        {"problem", "", ""},
-                                        {"formulation", "", ""},
+  std::vector<Sheet::Column> columns = {{"model", "", "", true},
+                                        {"grid", "", "", true},
+                                        {"problem", "", "", true},
+                                        {"formulation", "", "", true},
                                         {"label", "",
                                          !labels             ? ""
                                          : by == By::setting ? "factor"

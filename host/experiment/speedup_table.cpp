@@ -146,8 +146,10 @@ struct Layout {
 };
 
 std::vector<Sheet::Column> columns(const Layout& layout) {
-  std::vector<Sheet::Column> all = {
-      {"label", "", ""}, {"model", "", ""}, {"grid", "", ""}, {"", "", "model, grid", true}};
+  std::vector<Sheet::Column> all = {{"label", "", "", true},
+                                    {"model", "", "", true},
+                                    {"grid", "", "", true},
+                                    {"", "", "model, grid", true}};
   for (const std::string side : {"rayrep", "voxel"}) {
     const std::string group = side == "rayrep" ? "ray-rep" : side;
     const auto add = [&](const char* data, const char* heading, bool hidden = false) {
