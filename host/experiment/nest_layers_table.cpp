@@ -47,7 +47,7 @@ Tables nest_layers_tables(const std::vector<RecordedRun>& runs, const std::optio
       "near it that the exact test\nconfirms, to 1e-4; wall: the thinnest that is left when the inner shape, "
       "thicker by "
       "the printer's accuracy, is carved out\n" +
-      provenance_text(runs) + '\n';
+      provenance_of_nestings(runs);
   return tables;
 }
 
@@ -85,7 +85,7 @@ Tables nest_landscape_tables(const std::vector<RecordedRun>& runs, const std::op
           "been the best of their centroid;\n256^2 x 256^2: seconds for that many centroids and rotations, "
           "in proportion; "
           "certified: by the exact test on solids of those outlines\n" +
-              provenance_text(runs) + '\n'};
+              provenance_of_nestings(runs)};
 }
 
 }  // namespace kreisel

@@ -99,7 +99,7 @@ Tables nestings_tables(const std::vector<RecordedRun>& runs, const std::optional
       "seconds: set-up, search and certification, wall; found: by the search; certified: the largest near it "
       "that the exact test confirms, to 1e-4;\nsampled: the largest that views of 512 x 512 pixels call "
       "valid, which is what the paper measures; a test: at 0.98 of the scale found\n" +
-          provenance_text(runs) + '\n'};
+          provenance_of_nestings(runs)};
   if (published) tables.legend += fmt::format("paper: {}; {}\n", published->source, published->machine);
   return tables;
 }
@@ -136,7 +136,7 @@ Tables nest_accuracy_tables(const std::vector<RecordedRun>& runs, const std::opt
   tables.legend =
       "above, below: by more than 1e-4; missed: bisection found no valid scale where there is one, because "
       "feasibility is not monotonic\n" +
-      provenance_text(runs) + '\n';
+      provenance_of_nestings(runs);
   return tables;
 }
 

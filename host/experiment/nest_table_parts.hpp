@@ -20,6 +20,10 @@ namespace kreisel {
   return fmt::format("{}: {}\n", run_text(run.run), run.nest ? "error - " + run.nest->error : "not run");
 }
 
+[[nodiscard]] inline std::string provenance_of_nestings(const std::vector<RecordedRun>& runs) {
+  return provenance_text(runs) + '\n';
+}
+
 /// What each pair of shapes has, in the order of the runs.
 [[nodiscard]] inline std::vector<std::string> shapes_of(const std::vector<RecordedRun>& runs) {
   std::vector<std::string> all;

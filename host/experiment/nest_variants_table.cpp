@@ -127,7 +127,7 @@ Tables nest_variants_tables(const std::vector<RecordedRun>& runs, const std::opt
   }
   tables.legend =
       "the setting with the highest median first; near the best of all: seeds within 2 % of it\n" +
-      provenance_text(runs) + '\n';
+      provenance_of_nestings(runs);
   if (published)
     tables.legend += fmt::format(
         "reach the paper's: seeds whose nesting views of 512 x 512 pixels call valid at a scale no "
