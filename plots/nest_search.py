@@ -9,16 +9,19 @@ from style import plt
 
 def figure(found, _published=None):
     runs = nestings.searched(found)
-    names = nestings.settings(runs)
-    several = len(nestings.by_shapes(runs)) > 1
+    groups = nestings.by_shapes(runs)
+    several = len(groups) > 1
+    # What differs among the searches of the same shapes.
+    names = {id(run): name for members in groups.values() for run, name in zip(members, nestings.settings(members))}
     fig, axes = plt.subplots(figsize=(8, 4.6))
-    for i, (run, name) in enumerate(zip(runs, names)):
+    for i, run in enumerate(runs):
         trace = run["trace"]
-        label = ", ".join(part for part in (run["shapes"] if several else "", run["config"].get("free", "")) if part)
+        alone = len(groups[run["shapes"]]) == 1
+        label = ", ".join(([run["shapes"]] if several or alone else []) + ([] if alone else [names[id(run)]]))
         line, = axes.plot(trace[:, nestings.SECONDS], trace[:, nestings.BEST],
                           color=style.COLOURS[i % len(style.COLOURS)],
                           linestyle=style.LINES[i // len(style.COLOURS) % len(style.LINES)],
-                          label=label if several or len(names) > 1 else name)
+                          label=label)
         axes.plot(trace[-1, nestings.SECONDS], run["certified_scale"], "o", color=line.get_color(), markersize=5)
     style.log_seconds(axes)
     axes.set_xlabel("seconds of search, set-up excluded")

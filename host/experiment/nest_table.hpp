@@ -5,12 +5,13 @@
 
 namespace kreisel {
 
-/// A row a nesting, beside a paper's row of the same label, as far as a comma.
+/// A row a nesting, beside a paper's row of the same label, as far as a comma. What is called a ", stand-in"
+/// is another shape of about as many triangles: the paper's scale stands in parentheses beside it.
 [[nodiscard]] Tables nestings_tables(const std::vector<RecordedRun>& runs,
                                      const std::optional<Published>& published);
 
-/// A block for each pair of shapes, a row for each setting of the search, over all its seeds; how many of
-/// them reach what a paper has of that outer shape.
+/// A block for each pair of shapes, a row for each label, or setting of a search without one, over all its
+/// seeds; how many of them reach what a paper has of that outer shape.
 [[nodiscard]] Tables nest_variants_tables(const std::vector<RecordedRun>& runs,
                                           const std::optional<Published>& published);
 

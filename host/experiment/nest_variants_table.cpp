@@ -92,7 +92,9 @@ std::vector<std::string> settings_of_search(const std::vector<RecordedRun>& runs
 }
 
 Tables nest_variants_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>& published) {
-  const std::vector<std::string> settings = settings_of_search(runs);
+  std::vector<std::string> settings = settings_of_search(runs);
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (!runs[i].run.label.empty()) settings[i] = runs[i].run.label;
   Tables tables;
   for (const std::string& shapes : shapes_of(runs)) {
     std::vector<Seeds> rows;

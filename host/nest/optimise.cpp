@@ -59,7 +59,7 @@ Asking make_asking(const Nesting& nesting, device::Device& device, const Optimis
     throw InputError(fmt::format("upper bound {} of the scale; expected a number > 0", *spec.upper));
   const double upper = std::min(nesting.largest_scale(), spec.upper.value_or(nesting.largest_scale()));
   PlacementSpace space(spec.freedom, nesting.outer_box(), basic, upper);
-  if (spec.freedom.position && spec.start_inside) {
+  if (spec.freedom.position && spec.search.swarm.placing != Placing::anywhere) {
     constexpr int lattice = 4096;
     space.start_near(deep_points(nesting, lattice));
   }

@@ -25,8 +25,7 @@ struct OptimiseSpec {
   int resolution = 512;         ///< of its views, where it has any
   double tolerance = 1e-4;      ///< of scales
   std::optional<double> upper;  ///< no scale above this; none: what can fit
-  bool start_inside = true;     ///< centroids start deep inside A, in place of anywhere in its box
-  PlacementSearchOptions search;
+  PlacementSearchOptions search;  ///< centroids start deep inside A, or anywhere in its box where placed so
   double seconds = std::numeric_limits<double>::infinity();  ///< after which it ends early
 };
 

@@ -26,6 +26,7 @@ constexpr std::array momenta{Named<Momentum>{"constant", Momentum::constant},
                              Named<Momentum>{"decreasing", Momentum::decreasing},
                              Named<Momentum>{"constriction", Momentum::constriction}};
 constexpr std::array placings{Named<Placing>{"random", Placing::random},
+                              Named<Placing>{"anywhere", Placing::anywhere},
                               Named<Placing>{"lattice", Placing::lattice}};
 
 template <class Names>
@@ -152,9 +153,9 @@ void Swarm::place(SwarmState& state, int swarm) const {
     double step = 1;
     for (int k = 0; k < freedom_; ++k) {
       step /= ratio;
-      const double u = options_.placing == Placing::random
-                           ? number(positions, state.iteration, i, k)
-                           : number(shift_of_lattice, epoch, 0, k) + step * (point + 1);
+      const double u = options_.placing == Placing::lattice
+                           ? number(shift_of_lattice, epoch, 0, k) + step * (point + 1)
+                           : number(positions, state.iteration, i, k);
       unit[static_cast<std::size_t>(k)] = u - std::floor(u);
     }
     objective_.place(unit, x);

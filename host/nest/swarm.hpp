@@ -21,11 +21,11 @@ enum class Topology { global, ring, von_neumann, random };
 /// steps; or 0.7298, with accelerations 1.4962, which make a swarm contract [Clerc, Kennedy 2002].
 enum class Momentum { constant, decreasing, constriction };
 
-/// Where particles start: uniform random positions, or the golden-ratio lattice in freedom() dimensions
-/// [Roberts 2018], shifted by the seed.
-enum class Placing { random, lattice };
+/// Where particles start: at random where the space starts positions, at random all over the space (the
+/// paper's), or on the golden-ratio lattice in freedom() dimensions [Roberts 2018], shifted by the seed.
+enum class Placing { random, anywhere, lattice };
 
-/// Defaults are the paper's. [Nest, s. 7.1, 8]
+/// Defaults are the paper's, but for the placing. [Nest, s. 7.1, 8]
 struct SwarmOptions {
   int particles = 200;   ///< of all swarms together, >= 1
   int iterations = 500;  ///< >= 0

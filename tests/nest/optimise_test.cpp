@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "known_answers.hpp"
+#include "mesh/surface_rays.hpp"
 #include "nest/exact.hpp"
 #include "refusal.hpp"
 #include "test_device.hpp"
@@ -80,6 +81,29 @@ TEST(Optimise, StopsWhenToldKeepsItsBestAndGoesOnFromThere) {
   const OptimiseResult rest = optimise(egg(), test_device(), spec, {}, &part.state);
   EXPECT_EQ(rest.state.scale, whole.state.scale);
   EXPECT_EQ(rest.state.evaluations(), whole.state.evaluations());
+}
+
+// A centroid of the golden lattice's or a random one is inside A; anywhere in its box is outside an ellipsoid
+// with probability 1 - pi/6, 48 %: of 200 none is with probability 1e-64.
+TEST(Optimise, CentroidsStartDeepInsideUnlessAnywhereIsAsked) {
+  const SurfaceRays rays(egg().outer());
+  const auto outside = [&](Placing placing) {
+    OptimiseSpec spec = quick("position");
+    spec.search.swarm.placing = placing;
+    spec.search.swarm.particles = 200;
+    const OptimiseResult started =
+        optimise(egg(), test_device(), spec, [](const SearchState&) { return false; });
+    const std::vector<double>& x = started.state.swarm.x;
+    int out = 0;
+    for (std::size_t i = 0; i < x.size(); i += 3) {
+      const auto hit = rays.first({x[i], x[i + 1], x[i + 2]}, Vec3::UnitX(), 0, 10);
+      out += hit && hit->out ? 0 : 1;
+    }
+    return out;
+  };
+  EXPECT_EQ(outside(Placing::lattice), 0);
+  EXPECT_EQ(outside(Placing::random), 0);
+  EXPECT_GT(outside(Placing::anywhere), 20);
 }
 
 TEST(Optimise, StartsDeepInsideAndRefusesUnknownNamesAndForeignCheckpoints) {
