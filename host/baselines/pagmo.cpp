@@ -9,6 +9,8 @@
 #include <pagmo/algorithms/cmaes.hpp>
 #include <pagmo/algorithms/de.hpp>
 #include <pagmo/algorithms/pso_gen.hpp>
+#include <pagmo/algorithms/sga.hpp>
+#include <pagmo/algorithms/simulated_annealing.hpp>
 #include <pagmo/batch_evaluators/member_bfe.hpp>
 #include <pagmo/bfe.hpp>
 #include <pagmo/population.hpp>
@@ -27,10 +29,15 @@ const BaselineEntry& entry_of(Baseline baseline) {
   return *std::ranges::find(baselines, baseline, &BaselineEntry::baseline);
 }
 
+/// Ends a method of pagmo's from within.
+struct Stopped {};
+
 /// What pagmo copies about: the objective and the best seen lie elsewhere.
 struct Box {
   Objective* objective = nullptr;
   BaselineResult* seen = nullptr;
+  /// Called after each position that is asked for by itself; may throw Stopped.
+  const std::function<void()>* on_single = nullptr;
 
   [[nodiscard]] std::size_t freedom() const {
     return objective ? static_cast<std::size_t>(objective->space().freedom()) : 1;
@@ -39,7 +46,9 @@ struct Box {
     return {pagmo::vector_double(freedom(), 0.0), pagmo::vector_double(freedom(), 1.0)};
   }
   [[nodiscard]] pagmo::vector_double fitness(const pagmo::vector_double& unit) const {
-    return batch_fitness(unit);
+    const pagmo::vector_double cost = batch_fitness(unit);
+    if (on_single && *on_single) (*on_single)();
+    return cost;
   }
   [[nodiscard]] pagmo::vector_double batch_fitness(const pagmo::vector_double& units) const {
     const std::size_t n = units.size() / freedom(),
@@ -70,12 +79,32 @@ pagmo::algorithm one_generation(Baseline baseline, unsigned seed) {
           pagmo::cmaes(1, -1, -1, -1, -1, 0.5, 1e-12, 1e-12, /*memory=*/true, /*force_bounds=*/true, seed));
     case Baseline::de:
       return pagmo::algorithm(pagmo::de(1, 0.8, 0.9, 2, 0, 0, seed));
+    case Baseline::ga:
+      return pagmo::algorithm(
+          pagmo::sga(1, 0.9, 1, 0.02, 1, 2, "exponential", "polynomial", "tournament", seed));
+    case Baseline::sa:  // has no generations: see anneal()
     case Baseline::pso:
       break;
   }
   pagmo::pso_gen method(1, 0.7298, 2.05, 2.05, 0.5, 5, 2, 4, /*memory=*/true, seed);
   method.set_bfe(pagmo::bfe{pagmo::member_bfe{}});
   return pagmo::algorithm(method);
+}
+
+/// All of it in one call, as pagmo's forgets its range and temperature at the end of one. It cools from where
+/// a tenth of a scale less is accepted now and then to where the tolerance of scales is.
+/// @param asked  positions at most
+void anneal(pagmo::population& population, std::size_t asked, unsigned seed) {
+  constexpr double first = 0.1, last = 1e-4;
+  constexpr unsigned bin = 20;  // pagmo's own, for each number
+  const std::size_t steps = asked / (bin * population.get_problem().get_nx());
+  if (steps == 0) return;
+  const pagmo::algorithm method(
+      pagmo::simulated_annealing(first, last, static_cast<unsigned>(steps), 1, bin, 1.0, seed));
+  try {
+    population = method.evolve(population);
+  } catch (const Stopped&) {
+  }
 }
 
 }  // namespace
@@ -92,14 +121,23 @@ BaselineResult search_with_pagmo(Objective& objective, Baseline baseline, int pa
         fmt::format("{} with nothing free; expected a number, a direction or a rotation", entry.name));
   if (iterations < 0) throw InputError(fmt::format("iterations = {}; expected none or more", iterations));
   BaselineResult seen{{}, nothing, 0};
+  const auto go_on = [&] { return !on_generation || on_generation(seen.value, seen.evaluations); };
+  std::function<void()> on_single;
   const auto short_seed = static_cast<unsigned>(seed);
-  const pagmo::problem problem(Box{&objective, &seen});
-  pagmo::population population(problem, pagmo::bfe{pagmo::member_bfe{}}, static_cast<std::size_t>(particles),
-                               short_seed);
+  const auto n = static_cast<std::size_t>(particles);
+  const pagmo::problem problem(Box{&objective, &seen, &on_single});
+  pagmo::population population(problem, pagmo::bfe{pagmo::member_bfe{}}, n, short_seed);
+  if (baseline == Baseline::sa) {
+    on_single = [&] {
+      if (seen.evaluations % n == 0 && !go_on()) throw Stopped();
+    };
+    anneal(population, n * static_cast<std::size_t>(iterations), short_seed);
+    return seen;
+  }
   const pagmo::algorithm method = one_generation(baseline, short_seed);
   for (int i = 0; i < iterations; ++i) {
     population = method.evolve(population);
-    if (on_generation && !on_generation(seen.value, seen.evaluations)) break;
+    if (!go_on()) break;
   }
   return seen;
 }
@@ -108,6 +146,8 @@ OptimiseResult optimise_with_pagmo(const Nesting& nesting, device::Device& devic
                                    const OnIteration& on_iteration) {
   const Baseline baseline = find_baseline(spec.variant).baseline;
   spec.variant = "hybrid";  // the scale of every placement is searched, and no search is given up
+  // Deep points are a list, in which neighbours are no neighbours in space: no numbers to search over.
+  spec.search.swarm.placing = Placing::anywhere;
   OptimiseResult result;
   const Stopwatch setup;
   const Asking asking = make_asking(nesting, device, spec);

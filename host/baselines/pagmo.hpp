@@ -19,9 +19,12 @@ struct BaselineResult {
 
 /// Maximises over the box [0,1]^freedom() that Objective::place makes positions of. An infeasible position
 /// counts as -1, under every scale. Floors are minus infinity: pagmo has no use for a search given up early.
+/// `particles` random positions are where it starts, and as many are asked for in a generation; annealing
+/// starts from the best of them, asks for one after the other, and every `particles` of them are called a
+/// generation, the last ones of which it may leave out: it cools in whole steps.
 ///
 /// @param on_generation  told the best value and the evaluations so far; false ends the search
-/// @throws InputError    fewer particles than the method needs (de 5, cmaes 5, pso 2), or nothing free
+/// @throws InputError    fewer particles than the method needs (BaselineEntry), or nothing free
 [[nodiscard]] BaselineResult search_with_pagmo(
     Objective& objective, Baseline baseline, int particles, int iterations, std::uint64_t seed,
     const std::function<bool(double, std::uint64_t)>& on_generation);
