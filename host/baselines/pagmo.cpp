@@ -75,8 +75,9 @@ struct Box {
 pagmo::algorithm one_generation(Baseline baseline, unsigned seed) {
   switch (baseline) {
     case Baseline::cmaes:
+      // No tolerance at which to stop: a generation that is infeasible throughout has but one value.
       return pagmo::algorithm(
-          pagmo::cmaes(1, -1, -1, -1, -1, 0.5, 1e-12, 1e-12, /*memory=*/true, /*force_bounds=*/true, seed));
+          pagmo::cmaes(1, -1, -1, -1, -1, 0.5, 0, 0, /*memory=*/true, /*force_bounds=*/true, seed));
     case Baseline::de:
       return pagmo::algorithm(pagmo::de(1, 0.8, 0.9, 2, 0, 0, seed));
     case Baseline::ga:

@@ -28,7 +28,7 @@ struct SearchState {
 struct PlacementSearchOptions {
   SwarmOptions swarm;
   ClimbOptions climb;  ///< seeded by the swarm's seed
-  int climbs = 1;      ///< from the best positions of different particles, best first; 0: none, as in the paper
+  int climbs = 1;      ///< from the best positions of different particles, best first; 0: none, the paper's
 };
 
 /// Swarm and climbs over one objective, a step at a time.
