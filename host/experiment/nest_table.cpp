@@ -85,7 +85,7 @@ Tables nestings_tables(const std::vector<RecordedRun>& runs, const std::optional
     notes += note_of_nesting(run);
     if (!has_nesting(run)) continue;
     std::vector<Cell> cells = row_of(run, timings);
-    const bool stand_in = run.run.label.ends_with(", stand-in");
+    const bool stand_in = run.run.label.find("stand-in") != std::string::npos;
     if (const PublishedRow::Nesting* paper = printed(run, published))
       cells.insert(cells.end(), {fmt::format("{}", paper->triangles), Cell::of(paper->test_ms, "{:g}"),
                                  Cell::of(paper->search_ms, "{:g}"), Cell::of(paper->seconds, "{:g}"),
@@ -104,8 +104,9 @@ Tables nestings_tables(const std::vector<RecordedRun>& runs, const std::optional
           provenance_of_nestings(runs)};
   if (published)
     tables.legend += fmt::format(
-        "paper: {}; {}\nstand-in: another shape of about as many triangles as the paper's, whose scale in "
-        "parentheses is no measure of it\n",
+        "paper: {}; {}\nstand-in: another shape than the paper's, whose scale in parentheses is no measure "
+        "of "
+        "it\n",
         published->source, published->machine);
   return tables;
 }

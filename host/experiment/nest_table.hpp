@@ -5,8 +5,8 @@
 
 namespace kreisel {
 
-/// A row a nesting, beside a paper's row of the same label, as far as a comma. What is called a ", stand-in"
-/// is another shape of about as many triangles: the paper's scale stands in parentheses beside it.
+/// A row a nesting, beside a paper's row of the same label, as far as a comma. What is called a stand-in has
+/// another shape than the paper's: the paper's scale stands in parentheses beside it.
 [[nodiscard]] Tables nestings_tables(const std::vector<RecordedRun>& runs,
                                      const std::optional<Published>& published);
 
