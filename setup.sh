@@ -11,6 +11,7 @@ packages=(
   libopenmesh-dev lib3mf-dev libembree-dev libhdf5-dev
   libarchive-dev                                                      # unpacks the real meshes
   coinor-libipopt-dev libopenblas0-pthread                            # Ipopt with MUMPS; OpenBLAS speeds MUMPS up
+  libnlopt-dev                                                        # SLSQP, for small octrees
   libpagmo-dev                                                        # swarms to compare ours with
   libopenvdb-dev                                                      # offset surfaces
   libgtest-dev libbenchmark-dev

@@ -22,7 +22,8 @@ namespace kreisel {
 using namespace field_text;
 namespace {
 
-constexpr std::array<std::string_view, 5> groups = {"ipopt", "moment", "problem", "formulation", "solver"};
+constexpr std::array<std::string_view, 6> groups = {"ipopt",   "moment",      "slsqp",
+                                                    "problem", "formulation", "solver"};
 
 GridSpec grid(std::string_view key, std::string_view value) {
   GridSpec spec;
@@ -174,7 +175,9 @@ bool is_field(std::string_view key) { return is_setting(key) || setters().contai
 std::vector<std::string_view> field_names() {
   std::vector<std::string_view> names;
   for (const auto& [name, setter] : setters()) names.push_back(name);
-  names.insert(names.end(), {"ipopt.NAME", "moment.NAME", "problem.NAME", "formulation.NAME", "solver.NAME"});
+  for (const std::string_view name :
+       {"ipopt.NAME", "moment.NAME", "slsqp.NAME", "problem.NAME", "formulation.NAME", "solver.NAME"})
+    names.push_back(name);
   return names;
 }
 

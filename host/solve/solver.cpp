@@ -10,6 +10,7 @@
 #include "solve/ipopt.hpp"
 #include "solve/moment.hpp"
 #include "solve/plane_sweep.hpp"
+#include "solve/slsqp.hpp"
 #include "stopwatch.hpp"
 #include "unknown_name.hpp"
 
@@ -79,6 +80,10 @@ const std::vector<SolverEntry>& solvers() {
        "sequential quadratic programming and Newton's method in the ten moments (docs/quadric.md)",
        solve_with_moments,
        {"quadric"}},
+      {"slsqp",
+       "sequential least squares by NLopt, for small octrees: its memory grows with their square",
+       solve_with_slsqp,
+       {"octree"}},
       {"plane-sweep",
        "carves from the far side until nothing brings the centre of mass nearer: a baseline for stand",
        solve_with_plane_sweep,

@@ -99,5 +99,25 @@ TEST_F(OctreeRun, OfAnAxisThatCannotBeBalancedIsInfeasibleWithAProof) {
   EXPECT_NE(a.out.find("infeasible sx = 0 is out of reach by"), std::string::npos) << a.out;
 }
 
+/// NLopt's SLSQP, whose iterations are long: Ctrl-C ends it after the one that it is at.
+TEST_F(OctreeRun, BySlsqpIsThatOfIpoptAndStopsOnCtrlC) {
+  const std::string task = "--model heart --level 4 --wall 1h --solver";
+  const BenchAnswer a = octree(task + " slsqp");
+  EXPECT_EQ(a.code, 0) << a.out;
+  EXPECT_EQ(result().at("solver"), "slsqp");
+  const double found = result().at("objective").get<double>();
+  EXPECT_EQ(octree(task + " ipopt").code, 0);
+  EXPECT_NEAR(found, result().at("objective").get<double>(), 1e-5 * found);
+
+  std::filesystem::remove(at("run.json"));
+  const BenchAnswer stopped =
+      bench(fmt::format("--formulation octree {} slsqp --repeat 100000 --budget 100000 --json '{}'", task,
+                        at("run.json")),
+            "timeout --preserve-status -s INT 3");
+  EXPECT_EQ(stopped.code, 130) << stopped.out;
+  EXPECT_EQ(stopped.out, "bench: interrupted, nothing written\n");
+  EXPECT_FALSE(std::filesystem::exists(at("run.json")));
+}
+
 }  // namespace
 }  // namespace kreisel
