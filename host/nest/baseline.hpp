@@ -9,7 +9,8 @@ namespace kreisel::nest {
 
 /// Particle swarm with constriction and a local topology; covariance matrix adaptation; differential
 /// evolution; a genetic algorithm; simulated annealing: pagmo2's pso_gen, cmaes, de, sga and
-/// simulated_annealing, at pagmo's own settings but for the temperatures, which are those of scales.
+/// simulated_annealing, at pagmo's own settings but for temperatures, which are those of scales,
+/// and tolerances at which CMA-ES would stop, which it has none of.
 enum class Baseline { pso, cmaes, de, ga, sa };
 
 struct BaselineEntry {
