@@ -13,8 +13,8 @@ namespace kreisel {
 
 /// x = the ten coefficients of q = x . (1 x y z xy yz xz xx yy zz) in the body frame; the interior is solid
 /// where q < 0, and its moments depend on the direction of x alone. An optimum of any problem of the ten
-/// moments has this form [Hafner, Ly, Wojtan 2024]. Offers its support oracle; curvature() is not diagonal and not offered.
-/// Rounds to the voxels whose centre has q < 0. No settings.
+/// moments has this form [Hafner, Ly, Wojtan 2024]. Offers its support oracle; curvature() is not diagonal
+/// and not offered. Rounds to the voxels whose centre has q < 0. No settings.
 std::unique_ptr<Formulation> make_quadric(const Columns& domain, const Traits& traits,
                                           const FormulationSettings& settings, device::Device& device);
 
