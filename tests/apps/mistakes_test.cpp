@@ -111,9 +111,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"--void-density -1", "void density -1 g/cm^3; expected 0 or more"},
         Mistake{"--solver plane-sweep --formulation voxel", "solver 'plane-sweep' does not solve 'spin'"},
         Mistake{"--solver plane-sweep --problem stand", "does not work with formulation 'rayrep'"},
-        Mistake{"--solver plane-sweep --formulation voxel --problem stand --target inside --model kitten "
+        Mistake{"--solver plane-sweep --formulation voxel --problem stand --target max-tilt --model kitten "
                 "--resolution 16",
-                "solver 'plane-sweep' for stand with another target; expected"},
+                "solver 'plane-sweep' for stand with target = max-tilt; expected"},
         Mistake{"--precision singel", "expected automatic or single"},
         Mistake{"--rounding fited", "expected nearest or fitted"},
         Mistake{"--wall -1", "expected a positive number"},

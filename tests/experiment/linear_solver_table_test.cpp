@@ -22,7 +22,7 @@ TEST(LinearSolverTable, SetsBothBesideEachOther) {
   ASSERT_EQ(tables.blocks.size(), 1u);
   // 20 iterations: 30 and 2 ms each; 15 times faster; 1e-6 of the objective apart.
   EXPECT_EQ(squeezed_line(tables.blocks[0].sheet.text(), "exact"),
-            "exact ellipsoid 40x26x26 rayrep 1300 0.600 20 30.00 0.040 20 2.00 15.0 1e-06");
+            "exact ellipsoid 40x26x26 rayrep 1300 | 0.600 20 30.00 | 0.040 20 2.00 | 15.0 | 1e-06");
 }
 
 TEST(LinearSolverTable, ComparesConvergedSolvesAlone) {
@@ -31,7 +31,7 @@ TEST(LinearSolverTable, ComparesConvergedSolvesAlone) {
   failed.record->message = "maximum CPU time exceeded";
   const Tables tables = linear_solver_tables({failed, run_by("arrow", 0.04, 0.8)}, {});
   EXPECT_EQ(squeezed_line(tables.blocks[0].sheet.text(), "exact"),
-            "exact ellipsoid 40x26x26 rayrep 1300 10.00 ! 20 500.00 0.040 20 2.00 - -");
+            "exact ellipsoid 40x26x26 rayrep 1300 | 10.00 ! 20 500.00 | 0.040 20 2.00 | - | -");
   EXPECT_NE(to_text(tables).find("maximum CPU time exceeded"), std::string::npos);
 }
 
@@ -40,7 +40,7 @@ TEST(LinearSolverTable, TakesARunWithoutTheOption) {
   own.run.config.settings.clear();
   const Tables tables = linear_solver_tables({own}, {});
   EXPECT_EQ(squeezed_line(tables.blocks[0].sheet.text(), "exact"),
-            "exact ellipsoid 40x26x26 rayrep 1300 - - - 0.040 20 2.00 - -");
+            "exact ellipsoid 40x26x26 rayrep 1300 | - - - | 0.040 20 2.00 | - | -");
 }
 
 }  // namespace
