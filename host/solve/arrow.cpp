@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "parallel.hpp"
@@ -293,17 +294,17 @@ void Arrow::solve(std::span<double> x) const {
   const Vector right = Eigen::Map<const Vector>(r.data(), size_)(border);
   Matrix y = Vector::Zero(right.size());
   const Vector front = behind_border(r, y, x);
-  y = right - front;
-  schur_.solve(y);
-  const Vector residual = right - border_ * y - behind_border(r, y, x);
+  Matrix missing = right - front;
   // Where it is what the sums above leave of their terms, there is nothing to be gained.
   constexpr double round_off = 1e-13;
   const double size = (right.cwiseAbs() + front.cwiseAbs()).lpNorm<Eigen::Infinity>();
-  if (residual.lpNorm<Eigen::Infinity>() > round_off * size) {
-    Matrix more = residual;
-    schur_.solve(more);
-    y += more;
-    static_cast<void>(behind_border(r, y, x));
+  double before = std::numeric_limits<double>::infinity();
+  for (double now = missing.lpNorm<Eigen::Infinity>(); now > round_off * size && now < before / 2;
+       now = missing.lpNorm<Eigen::Infinity>()) {
+    before = now;
+    schur_.solve(missing);
+    y += missing;
+    missing = right - border_ * y - behind_border(r, y, x);
   }
   Eigen::Map<Vector>(x.data(), size_)(border) = y.col(0);
 }

@@ -43,7 +43,8 @@ class Arrow {
   [[nodiscard]] std::size_t delayed() const { return delayed_.size(); }
   [[nodiscard]] int size() const { return size_; }
 
-  /// x = K^-1 x, with one step of iterative refinement where the border's residual is more than round-off.
+  /// x = K^-1 x, refined as long as the border's residual is more than round-off and halves; as a rule once
+  /// or not at all. Rows before the border are solved to round-off as they are.
   void solve(std::span<double> x) const;
 
  private:

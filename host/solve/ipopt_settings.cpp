@@ -130,8 +130,8 @@ IpoptSettings ipopt_settings(const Task& task, const SolverOptions& options, Nlp
   const std::string linear_solver = linear_solver_for(options.own, nlp, exact);
   settings["linear_solver"] = linear_solver;
   if (linear_solver == "mumps") settings.merge(defaults_of_mumps(task));
-  // It refines its solutions itself. Ipopt's refinement still comes where that is not enough.
-  if (linear_solver == "arrow") settings.insert({"min_refinement_steps", "0"});
+  // It looks at its residuals and refines by itself, so that Ipopt need not.
+  if (linear_solver == "arrow") settings.insert({"fast_step_computation", "yes"});
   if (nlp.jacobian_is_constant()) settings.insert({{"jac_c_constant", "yes"}, {"jac_d_constant", "yes"}});
   Defaults defaults = defaults_for(linear, exact);
   settings.merge(defaults.settings);
