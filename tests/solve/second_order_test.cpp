@@ -141,7 +141,7 @@ class Around {
       Model model;
       model.linear = q_ + side * p;
       const DualPoint near = minimise_model(oracle_, model, rows(), {}, 1e-13);
-      EXPECT_LE(near.residual, 1e-11);
+      EXPECT_LE(near.residual, 1e-13);
       growth.of_f += problem_.value(near.s) - outcome().objective;
       growth.of_q += q_.dot(near.s - outcome().moments);
     }
@@ -169,16 +169,20 @@ TEST(SecondOrder, IsTheLeastShareOfTheGrowthOfQThatFHasNearby) {
     const LocalMinimum& minimum = *around.outcome().local_minimum;
     EXPECT_EQ(minimum.strict, Answer::yes);
     EXPECT_EQ(minimum.dimension, 5);  // ten, less the scale of q and four rows
-    // Rays that start or end to be cut between the two sides are what differences are off by.
+    // Rays that start or end to be cut between the two sides are what differences are off by. Of shorter
+    // steps round-off is: at 1e-5, q . s grows by 1e-13, and rows missed by 4e-15 cost multipliers of 12 as
+    // much.
     constexpr double kinks = 2e-3;
-    const Growth least = around.along(minimum.direction / minimum.direction.norm(), 1e-5);
-    EXPECT_NEAR(least.of_f / least.of_q, minimum.smallest, kinks);
+    for (const double epsilon : {1e-2, 1e-3}) {
+      const Growth least = around.along(minimum.direction / minimum.direction.norm(), epsilon);
+      EXPECT_NEAR(least.of_f / least.of_q, minimum.smallest, kinks) << epsilon;
+    }
     Random random(5);
     double found = 10;
     for (int i = 0; i < 40; ++i) {
       Moments p;
       for (double& x : p) x = uniform(random, -1, 1);
-      const Growth growth = around.along(p, 1e-5);
+      const Growth growth = around.along(p, 1e-3);
       ASSERT_GT(growth.of_q, 0);
       EXPECT_GE(growth.of_f / growth.of_q, minimum.smallest - kinks);
       found = std::min(found, growth.of_f / growth.of_q);
