@@ -4,12 +4,17 @@
 #include <nlopt.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <exception>
+#include <future>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <string_view>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "error.hpp"
@@ -92,7 +97,6 @@ class Functions {
     auto& f = *static_cast<Functions*>(self);
     double value = std::numeric_limits<double>::quiet_NaN();
     f.guarded([&] {
-      if (interrupted()) nlopt_force_stop(f.opt_);
       f.nlp_.eval_f(f.n_, at, true, value);
       f.history.push_back({static_cast<int>(f.history.size()), value, 0, 0, 0, 0, 0});
       value *= f.scale_;
@@ -128,6 +132,12 @@ class Functions {
     });
   }
 
+  /// From now on nothing is asked of the task; waits for what is being asked.
+  void leave() {
+    const std::scoped_lock lock(asking_);
+    left_ = true;
+  }
+
   void rethrow() const {
     if (thrown_) std::rethrow_exception(thrown_);
   }
@@ -141,6 +151,11 @@ class Functions {
 
   template <class Work>
   void guarded(Work work) {
+    const std::scoped_lock lock(asking_);
+    if (left_ || interrupted()) {
+      nlopt_force_stop(opt_);
+      return;
+    }
     try {
       work();
     } catch (...) {
@@ -164,6 +179,8 @@ class Functions {
   double scale_ = 1;
   std::vector<Index> row_, column_;
   std::exception_ptr thrown_;
+  std::mutex asking_;
+  bool left_ = false;
 };
 
 /// @throws std::bad_alloc, std::logic_error  what NLopt refuses is a fault of ours
@@ -177,6 +194,62 @@ void add(nlopt_result (*adder)(nlopt_opt, unsigned, nlopt_mfunc, void*, const do
   if (rows.sides.empty()) return;
   const std::vector<double> exact(rows.sides.size(), 0.0);
   require(adder(opt, static_cast<unsigned>(rows.sides.size()), Functions::constraints, &rows, exact.data()));
+}
+
+/// A solve of NLopt, with all that it uses.
+struct Search {
+  Search(const Task& task, const SolverOptions& options, const OwnOptions& own)
+      : nlp(make_direct_nlp(task,
+                            options.from.empty() ? task.formulation.start(options.start) : options.from)),
+        opt(create(*nlp)),
+        functions(*nlp, opt.get(), options.reach.value_or(1.0)) {
+    require(nlopt_set_lower_bounds(opt.get(), functions.lower.data()));
+    require(nlopt_set_upper_bounds(opt.get(), functions.upper.data()));
+    require(nlopt_set_min_objective(opt.get(), Functions::objective, &functions));
+    add(nlopt_add_equality_mconstraint, opt.get(), functions.equal);
+    add(nlopt_add_inequality_mconstraint, opt.get(), functions.below);
+    require(nlopt_set_ftol_rel(opt.get(), own.ftol_rel));
+    require(nlopt_set_maxeval(opt.get(), own.maxeval));
+  }
+
+  using Optimiser = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
+  static Optimiser create(Nlp& nlp) {
+    Ipopt::Index n = 0, m = 0, entries = 0, hessian = 0;
+    Ipopt::TNLP::IndexStyleEnum style{};
+    nlp.get_nlp_info(n, m, entries, hessian, style);
+    Optimiser opt(nlopt_create(NLOPT_LD_SLSQP, static_cast<unsigned>(n)), nlopt_destroy);
+    if (!opt) throw std::bad_alloc();
+    return opt;
+  }
+
+  Ipopt::SmartPtr<Nlp> nlp;
+  Optimiser opt;
+  Functions functions;
+};
+
+struct Found {
+  nlopt_result result;
+  std::vector<double> x;
+};
+
+/// An iteration of many cells takes NLopt a minute, in which it can't be stopped. So it has a thread of its
+/// own, which Ctrl-C leaves behind: that ends where it would ask for the next value, or with the program.
+Found optimise(const std::shared_ptr<Search>& search) {
+  std::packaged_task<Found()> work([search, x = search->functions.x]() mutable {
+    double scaled = 0;
+    const nlopt_result result = nlopt_optimize(search->opt.get(), x.data(), &scaled);
+    return Found{result, std::move(x)};
+  });
+  std::future<Found> found = work.get_future();
+  std::thread thread(std::move(work));
+  while (found.wait_for(std::chrono::milliseconds(50)) == std::future_status::timeout)
+    if (interrupted()) {
+      search->functions.leave();
+      thread.detach();
+      return {NLOPT_FORCED_STOP, search->functions.x};
+    }
+  thread.join();
+  return found.get();
 }
 
 /// Termination and NLopt's reason, of a result that misses the constraints by `violation`.
@@ -217,38 +290,21 @@ Outcome solve_with_slsqp(const Task& task, const SolverOptions& options) {
   Outcome outcome;
   task.device.reset_kernel_seconds();
   const Stopwatch watch;
-  const auto nlp =
-      make_direct_nlp(task, options.from.empty() ? task.formulation.start(options.start) : options.from);
-  Ipopt::Index n = 0, m = 0, entries = 0, hessian = 0;
-  Ipopt::TNLP::IndexStyleEnum style{};
-  nlp->get_nlp_info(n, m, entries, hessian, style);
-  const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> opt(
-      nlopt_create(NLOPT_LD_SLSQP, static_cast<unsigned>(n)), nlopt_destroy);
-  if (!opt) throw std::bad_alloc();
-  Functions functions(*nlp, opt.get(), options.reach.value_or(1.0));
-  require(nlopt_set_lower_bounds(opt.get(), functions.lower.data()));
-  require(nlopt_set_upper_bounds(opt.get(), functions.upper.data()));
-  require(nlopt_set_min_objective(opt.get(), Functions::objective, &functions));
-  add(nlopt_add_equality_mconstraint, opt.get(), functions.equal);
-  add(nlopt_add_inequality_mconstraint, opt.get(), functions.below);
-  require(nlopt_set_ftol_rel(opt.get(), own.ftol_rel));
-  require(nlopt_set_maxeval(opt.get(), own.maxeval));
-
-  double scaled = 0;
-  const nlopt_result result = nlopt_optimize(opt.get(), functions.x.data(), &scaled);
+  const auto search = std::make_shared<Search>(task, options, own);
+  Functions& functions = search->functions;
+  auto [result, x] = optimise(search);
   functions.rethrow();
-  functions.x.resize(task.formulation.num_variables());
+  x.resize(task.formulation.num_variables());
   const Bounds& bounds = task.formulation.bounds();
-  for (std::size_t i = 0; i < functions.x.size(); ++i)
-    functions.x[i] = std::clamp(functions.x[i], bounds.lower[i], bounds.upper[i]);
-  outcome.x = std::move(functions.x);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::clamp(x[i], bounds.lower[i], bounds.upper[i]);
+  outcome.x = std::move(x);
   outcome.moments = task.mass.total(task.formulation.moments(outcome.x));
   outcome.objective = task.problem.value(outcome.moments);
   outcome.violation = violation(task.problem, outcome.moments);
   judge(result, outcome);
   outcome.history = std::move(functions.history);
   outcome.iterations = static_cast<int>(outcome.history.size()) - 1;
-  outcome.evaluations = nlp->evaluations();
+  outcome.evaluations = search->nlp->evaluations();
   outcome.settings = {{"ftol_rel", fmt::format("{:g}", own.ftol_rel)},
                       {"maxeval", std::to_string(own.maxeval)}};
   outcome.solve_seconds = watch.seconds();

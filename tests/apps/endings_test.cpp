@@ -155,14 +155,6 @@ TEST_F(Endings, AFullDiskEndsAnExperimentWithoutAnyFileOfTheRun) {
   EXPECT_EQ(files(), std::vector<std::string>{"trial.toml"});
 }
 
-/// The shell line that starts `bench`, waits until `ready` holds, sends it SIGINT and ends as it does.
-std::string interrupted_when(const std::string& arguments, const std::string& ready) {
-  return fmt::format(
-      "'{}' {} & pid=$!; n=0; until {} || [ $n -ge 600 ]; do sleep 0.1; n=$((n+1)); done\n"
-      "kill -INT $pid; wait $pid",
-      KREISEL_BENCH, arguments, ready);
-}
-
 TEST_F(Endings, CtrlCKeepsTheFinishedRunsOfAnExperiment) {
   std::string lambdas;  // runs that differ, each of a fraction of a second: a minute or more of them
   for (int i = 0; i < 300; ++i) lambdas += fmt::format("{}{}", i ? ", " : "", 0.001 * i);

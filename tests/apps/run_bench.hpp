@@ -30,6 +30,14 @@ inline BenchAnswer shell(const std::string& line) {
   return answer;
 }
 
+/// The shell line that starts `bench`, waits until `ready` holds, sends it one SIGINT and ends as it does.
+inline std::string interrupted_when(const std::string& arguments, const std::string& ready) {
+  return fmt::format(
+      "'{}' {} & pid=$!; n=0; until {} || [ $n -ge 600 ]; do sleep 0.1; n=$((n+1)); done\n"
+      "kill -INT $pid; wait $pid",
+      KREISEL_BENCH, arguments, ready);
+}
+
 /// @param before  shell ahead of the program's name: variables, or commands that end in ;
 inline BenchAnswer bench(const std::string& arguments, const std::string& before = "") {
   return shell(fmt::format("{} '{}' {}", before, KREISEL_BENCH, arguments));
