@@ -232,7 +232,7 @@ struct Found {
   std::vector<double> x;
 };
 
-/// An iteration of many cells takes NLopt a minute, in which it can't be stopped. So it has a thread of its
+/// An iteration of many cells takes NLopt half a minute, in which it can't be stopped. So it has a thread of its
 /// own, which Ctrl-C leaves behind: that ends where it would ask for the next value, or with the program.
 Found optimise(const std::shared_ptr<Search>& search) {
   std::packaged_task<Found()> work([search, x = search->functions.x]() mutable {

@@ -111,7 +111,7 @@ TEST_F(OctreeRun, BySlsqpIsThatOfIpopt) {
 }
 
 TEST_F(OctreeRun, BySlsqpStopsOnCtrlCWithinAnIteration) {
-  // 1464 cells, of which NLopt's first iteration takes a minute.
+  // 1464 cells, of which NLopt's first iteration takes half a minute.
   const auto begin = std::chrono::steady_clock::now();
   const BenchAnswer stopped = shell(
       interrupted_when(fmt::format("--formulation octree --model heart --level 5 --wall 4h --solver slsqp "
