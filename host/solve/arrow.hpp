@@ -23,8 +23,8 @@ namespace kreisel {
 /// Pivots of D that are small against their column of F would drown what the others leave in S. Such rows are
 /// eliminated with the border instead ("delayed"), as sparse solvers do.
 ///
-/// Cost, n rows in D and k of the border tied to them: n k (k + 2) multiplications a factorisation, 3 n k a
-/// solve; 8 n (k + 1) bytes are read once a factorisation and twice a solve. Results do not depend on the
+/// Cost, n rows in D and k of the border tied to them: n k (k + 3) / 2 multiplications a factorisation, 4 n k
+/// a solve; 8 n (k + 1) bytes are read once a factorisation and twice a solve. Results do not depend on the
 /// number of threads.
 class Arrow {
  public:
