@@ -232,8 +232,8 @@ struct Found {
   std::vector<double> x;
 };
 
-/// An iteration of many cells takes NLopt half a minute, in which it can't be stopped. So it has a thread of its
-/// own, which Ctrl-C leaves behind: that ends where it would ask for the next value, or with the program.
+/// An iteration of many cells takes NLopt half a minute, in which it can't be stopped. So it has a thread of
+/// its own, which Ctrl-C leaves behind: that ends where it would ask for the next value, or with the program.
 Found optimise(const std::shared_ptr<Search>& search) {
   std::packaged_task<Found()> work([search, x = search->functions.x]() mutable {
     double scaled = 0;
