@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t chunk = 512;
 /// Entries below which starting a thread takes longer than the work.
 constexpr std::size_t worth_a_thread = 200'000;
+/// What the elimination of a block is worth, measured in those.
+constexpr std::size_t entries_a_block = 200;
 /// More rows in the border than this are no help: the border costs the cube of their number.
 constexpr std::size_t most_delayed = 256;
 
@@ -25,6 +27,8 @@ void for_chunks(std::size_t count, std::size_t entries, const Body& body) {
   else
     parallel_for(count, body);
 }
+
+std::size_t chunks_of(std::size_t count) { return (count + chunk - 1) / chunk; }
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -39,8 +43,6 @@ Eigen::Map<const Arrow::Matrix> Arrow::ties_of(const Block& block) const {
   const auto n = static_cast<Eigen::Index>(block.rows.size());
   return {store_.data() + block.at + n * n, n, static_cast<Eigen::Index>(block.tied.size())};
 }
-
-std::size_t Arrow::chunk_count() const { return (shape_.singles.size() + chunk - 1) / chunk; }
 
 bool Arrow::factor(std::span<const double> values, double growth) {
   for (const Run& run : runs_) {
@@ -76,7 +78,7 @@ void Arrow::eliminate_singles(double growth, Matrix& schur) {
   const std::size_t singles = shape_.singles.size();
   const auto ties = static_cast<Eigen::Index>(tied_.size());
   inverse_.resize(static_cast<Eigen::Index>(singles));
-  std::vector<Part> parts(chunk_count());
+  std::vector<Part> parts(chunks_of(shape_.singles.size()));
   for_chunks(parts.size(), singles * tied_.size(), [&](std::size_t c) {
     Part& part = parts[c];
     const std::size_t first = c * chunk;
@@ -112,23 +114,36 @@ void Arrow::eliminate_singles(double growth, Matrix& schur) {
 }
 
 void Arrow::eliminate_blocks(double growth, Matrix& schur) {
-  for (Block& block : blocks_) {
-    block.solved = ties_of(block);
-    block.delayed = !block.inverse.factor(block_of(block));
-    if (!block.delayed && block.solved.size() > 0) {
-      block.inverse.solve(block.solved);
-      block.delayed = !(block.solved.cwiseAbs().maxCoeff() <= growth);
+  struct Part {
+    Matrix sum;
+    int negative = 0;
+  };
+  std::vector<Part> parts(chunks_of(blocks_.size()));
+  for_chunks(parts.size(), blocks_.size() * entries_a_block, [&](std::size_t c) {
+    Part& part = parts[c];
+    part.sum = Matrix::Zero(schur.rows(), schur.cols());
+    for (Block& block : std::span(blocks_).subspan(c * chunk, std::min(chunk, blocks_.size() - c * chunk))) {
+      block.solved = ties_of(block);
+      block.delayed = !block.inverse.factor(block_of(block));
+      if (!block.delayed && block.solved.size() > 0) {
+        block.inverse.solve(block.solved);
+        block.delayed = !(block.solved.cwiseAbs().maxCoeff() <= growth);
+      }
+      if (block.delayed) continue;
+      part.negative += block.inverse.negative();
+      const auto ties = ties_of(block);
+      for (Eigen::Index b = 0; b < ties.cols(); ++b)
+        for (Eigen::Index a = b; a < ties.cols(); ++a)
+          part.sum(block.tied[static_cast<std::size_t>(a)], block.tied[static_cast<std::size_t>(b)]) +=
+              ties.col(a).dot(block.solved.col(b));
     }
-    if (block.delayed) {
-      delayed_.insert(delayed_.end(), block.rows.begin(), block.rows.end());
-      continue;
-    }
-    negative_ += block.inverse.negative();
-    const Matrix sum = ties_of(block).transpose() * block.solved;
-    for (Eigen::Index b = 0; b < sum.cols(); ++b)
-      for (Eigen::Index a = b; a < sum.rows(); ++a)
-        schur(block.tied[static_cast<std::size_t>(a)], block.tied[static_cast<std::size_t>(b)]) -= sum(a, b);
+  });
+  for (const Part& part : parts) {
+    negative_ += part.negative;
+    schur -= part.sum;
   }
+  for (const Block& block : blocks_)
+    if (block.delayed) delayed_.insert(delayed_.end(), block.rows.begin(), block.rows.end());
 }
 
 void Arrow::extend_border(Matrix& schur) {
@@ -158,13 +173,26 @@ void Arrow::extend_border(Matrix& schur) {
   }
 }
 
+void Arrow::add_behind(const Block& block, std::span<const double> r, const Vector& y, std::span<double> x,
+                       Vector& sum) const {
+  const auto ties = ties_of(block);
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, arrow_block, 1> part(ties.rows(), 1);
+  for (Eigen::Index k = 0; k < ties.rows(); ++k) part(k) = r[at(block.rows[static_cast<std::size_t>(k)])];
+  for (Eigen::Index k = 0; k < ties.cols(); ++k)
+    part -= ties.col(k) * y[block.tied[static_cast<std::size_t>(k)]];
+  block.inverse.solve(part);
+  for (Eigen::Index k = 0; k < ties.rows(); ++k) x[at(block.rows[static_cast<std::size_t>(k)])] = part(k);
+  for (Eigen::Index k = 0; k < ties.cols(); ++k)
+    sum[block.tied[static_cast<std::size_t>(k)]] += ties.col(k).dot(part.col(0));
+}
+
 /// x = D^-1 (r - F^T y) of all rows that are not in the extended border.
 /// @return  F x
 Arrow::Vector Arrow::behind_border(std::span<const double> r, const Vector& y, std::span<double> x) const {
   const std::size_t singles = shape_.singles.size();
   const auto ties = static_cast<Eigen::Index>(tied_.size());
   const Vector y_tied = y(tied_);
-  std::vector<Vector> parts(chunk_count());
+  std::vector<Vector> parts(chunks_of(shape_.singles.size()));
   for_chunks(parts.size(), singles * tied_.size(), [&](std::size_t c) {
     const std::size_t first = c * chunk;
     const auto count = static_cast<Eigen::Index>(std::min(chunk, singles - first));
@@ -181,18 +209,14 @@ Arrow::Vector Arrow::behind_border(std::span<const double> r, const Vector& y, s
   });
   Vector sum = Vector::Zero(y.size());
   for (const Vector& part : parts) sum(tied_) += part;
-  for (const Block& block : blocks_) {
-    if (block.delayed) continue;
-    const auto ties_here = ties_of(block);
-    Matrix part(ties_here.rows(), 1);
-    for (std::size_t k = 0; k < block.rows.size(); ++k)
-      part(static_cast<Eigen::Index>(k)) = r[at(block.rows[k])];
-    part.noalias() -= ties_here * y(block.tied);
-    block.inverse.solve(part);
-    for (std::size_t k = 0; k < block.rows.size(); ++k)
-      x[at(block.rows[k])] = part(static_cast<Eigen::Index>(k));
-    sum(block.tied) += ties_here.transpose() * part;
-  }
+  std::vector<Vector> of_blocks(chunks_of(blocks_.size()));
+  for_chunks(of_blocks.size(), blocks_.size() * entries_a_block, [&](std::size_t c) {
+    Vector& part = of_blocks[c] = Vector::Zero(y.size());
+    for (const Block& block :
+         std::span(blocks_).subspan(c * chunk, std::min(chunk, blocks_.size() - c * chunk)))
+      if (!block.delayed) add_behind(block, r, y, x, part);
+  });
+  for (const Vector& part : of_blocks) sum += part;
   return sum;
 }
 

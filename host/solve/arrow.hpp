@@ -66,10 +66,11 @@ class Arrow {
   void lay_out(const Pattern& pattern);
   [[nodiscard]] Eigen::Map<const Matrix> block_of(const Block& block) const;
   [[nodiscard]] Eigen::Map<const Matrix> ties_of(const Block& block) const;
-  [[nodiscard]] std::size_t chunk_count() const;
   void eliminate_singles(double growth, Matrix& schur);
   void eliminate_blocks(double growth, Matrix& schur);
   void extend_border(Matrix& schur);
+  void add_behind(const Block& block, std::span<const double> r, const Vector& y, std::span<double> x,
+                  Vector& sum) const;
   [[nodiscard]] Vector behind_border(std::span<const double> r, const Vector& y, std::span<double> x) const;
 
   int size_;

@@ -26,7 +26,9 @@ template <int Most>
 void SymmetricIndefinite<Most>::scale() {
   const Index n = a_.rows();
   scale_.setOnes(n);
-  constexpr int most_sweeps = 16;  // the range of a double's exponents, to within a factor of two
+  // The range of a double's exponents, to within a factor of two. Small ones are many, and their rows alike:
+  // one sweep leaves no entry above 1.
+  constexpr int most_sweeps = Most == Eigen::Dynamic ? 16 : 1;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     Vector<double> largest = Vector<double>::Zero(n);
     for (Index j = 0; j < n; ++j)
@@ -128,34 +130,28 @@ bool SymmetricIndefinite<Most>::factor(const Eigen::Ref<const Eigen::MatrixXd>& 
 template <int Most>
 void SymmetricIndefinite<Most>::solve(Eigen::Ref<Eigen::MatrixXd> x) const {
   const Index n = a_.rows();
-  Eigen::MatrixXd y(n, x.cols());
-  for (Index i = 0; i < n; ++i) {
-    const Index from = order_[i];
-    y.row(i) = x.row(from) * scale_[from];
-  }
-  const auto two_at = [&](Index k) { return two_[k]; };
-  for (Index k = 0; k < n; k += two_at(k) ? 2 : 1) {
-    const Index width = two_at(k) ? 2 : 1, left = n - k - width;
-    y.bottomRows(left) -= a_.block(k + width, k, left, width) * y.middleRows(k, width);
-  }
-  for (Index k = 0; k < n; k += two_at(k) ? 2 : 1) {
-    if (!two_at(k)) {
-      y.row(k) /= a_(k, k);
-      continue;
+  Vector<double> y(n);
+  for (Index c = 0; c < x.cols(); ++c) {
+    for (Index i = 0; i < n; ++i) y[i] = x(order_[i], c) * scale_[order_[i]];
+    for (Index k = 0; k < n; k += two_[k] ? 2 : 1) {
+      const Index width = two_[k] ? 2 : 1, left = n - k - width;
+      for (Index l = k; l < k + width; ++l) y.tail(left) -= y[l] * a_.col(l).tail(left);
     }
-    Eigen::Matrix2d block;
-    block << a_(k, k), a_(k + 1, k), a_(k + 1, k), a_(k + 1, k + 1);
-    y.middleRows<2>(k) = block.inverse() * y.middleRows<2>(k);
-  }
-  for (Index k = n; k > 0;) {
-    const bool two = k > 1 && two_at(k - 2);
-    const Index width = two ? 2 : 1, left = n - k;
-    k -= width;
-    y.middleRows(k, width) -= a_.block(k + width, k, left, width).transpose() * y.bottomRows(left);
-  }
-  for (Index i = 0; i < n; ++i) {
-    const Index to = order_[i];
-    x.row(to) = y.row(i) * scale_[to];
+    for (Index k = 0; k < n; k += two_[k] ? 2 : 1) {
+      if (!two_[k]) {
+        y[k] /= a_(k, k);
+        continue;
+      }
+      Eigen::Matrix2d block;
+      block << a_(k, k), a_(k + 1, k), a_(k + 1, k), a_(k + 1, k + 1);
+      y.template segment<2>(k) = block.inverse() * y.template segment<2>(k).eval();
+    }
+    for (Index k = n; k > 0;) {
+      const Index width = k > 1 && two_[k - 2] ? 2 : 1, left = n - k;
+      k -= width;
+      for (Index l = k; l < k + width; ++l) y[l] -= a_.col(l).tail(left).dot(y.tail(left));
+    }
+    for (Index i = 0; i < n; ++i) x(order_[i], c) = y[i] * scale_[order_[i]];
   }
 }
 
