@@ -60,7 +60,8 @@ void factor(ipfint* n, ipfint* entries, const ipfint*, const ipfint*, double* va
     return;
   }
   *work = *keep;
-  // CNTL(1) is the threshold of partial pivoting, which Ipopt raises when a solution is not good enough.
+  // CNTL(1) is the threshold of partial pivoting. Ipopt raises it when a solution is not good enough, where
+  // it looks at that at all: not with fast_step_computation.
   const double growth = 1 / std::max(cntl[0], std::numeric_limits<double>::epsilon());
   if (!system->factor({values, static_cast<std::size_t>(*entries)}, growth)) {
     info[status] = singular;
