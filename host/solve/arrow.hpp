@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "solve/arrow_group.hpp"
 #include "solve/arrow_shape.hpp"
 #include "solve/symmetric_indefinite.hpp"
 
@@ -30,7 +31,7 @@ class Arrow {
  public:
   /// @return  nothing where the pattern is not an arrow's
   [[nodiscard]] static std::unique_ptr<Arrow> of(const Pattern& pattern);
-  Arrow(const Pattern& pattern, ArrowShape shape);
+  Arrow(const Pattern& pattern, const ArrowShape& shape);
 
   /// @param values  of the pattern's entries, in its order; those of one place are summed
   /// @param growth  rows are delayed where |D^-1 F^T| is larger than this
@@ -55,34 +56,17 @@ class Arrow {
     std::size_t from, to, count;
     bool first;  ///< that are written there; others are added
   };
-  struct Block {
-    std::vector<int> rows, tied;  ///< indices of K; places in the border
-    std::size_t at;               ///< in store_: the block, and behind it its columns of the border
-    SymmetricIndefinite<arrow_block> inverse = {};
-    Matrix solved = {};  ///< inverse x ties
-    bool delayed = false;
-  };
-
   void lay_out(const Pattern& pattern);
-  [[nodiscard]] Eigen::Map<const Matrix> block_of(const Block& block) const;
-  [[nodiscard]] Eigen::Map<const Matrix> ties_of(const Block& block) const;
-  void eliminate_singles(double growth, Matrix& schur);
-  void eliminate_blocks(double growth, Matrix& schur);
   void extend_border(Matrix& schur);
-  void add_behind(const Block& block, std::span<const double> r, const Vector& y, std::span<double> x,
-                  Vector& sum) const;
   [[nodiscard]] Vector behind_border(std::span<const double> r, const Vector& y, std::span<double> x) const;
 
   int size_;
-  ArrowShape shape_;
-  std::vector<int> tied_;  ///< places in the border that singles are tied to
-  std::vector<Block> blocks_;
+  std::vector<int> own_border_;     ///< as the shape has it
+  std::vector<ArrowGroup> groups_;  ///< D and F
   std::vector<Run> runs_;
-  std::vector<double> store_;  ///< D; F, a tied place after the other; B; blocks
+  std::vector<double> store_;  ///< the groups'; B
   std::size_t border_at_ = 0;  ///< in store_
-  Vector inverse_;             ///< 1 / D of the singles, 0 where delayed
-  std::vector<int> late_;      ///< singles that are delayed, by their number
-  std::vector<int> delayed_;   ///< all rows that are, by their index of K; behind the border in S
+  std::vector<int> delayed_;   ///< rows of K that the last factorisation has behind the border, in S
   Matrix border_;              ///< B and the delayed rows
   SymmetricIndefinite<> schur_;
   int negative_ = 0;

@@ -11,84 +11,65 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Where each row of K is.
 struct Place {
-  enum { border, single, block } kind = border;
-  int index = 0, in_block = 0;
+  int group = -1;  ///< none: the border
+  int index = 0;   ///< of the block in its group, or in the border
+  int row = 0;     ///< of the block
 };
 
-std::vector<Place> places_of(int size, const ArrowShape& shape) {
+std::vector<Place> places_of(int size, const std::vector<int>& border,
+                             const std::vector<ArrowGroup>& groups) {
   std::vector<Place> places(at(size));
-  const auto number = [&](const std::vector<int>& rows, decltype(Place::kind) kind) {
-    for (std::size_t k = 0; k < rows.size(); ++k) places[at(rows[k])] = {kind, static_cast<int>(k), 0};
-  };
-  number(shape.border, Place::border);
-  number(shape.singles, Place::single);
-  for (std::size_t b = 0; b < shape.blocks.size(); ++b)
-    for (std::size_t k = 0; k < shape.blocks[b].size(); ++k)
-      places[at(shape.blocks[b][k])] = {Place::block, static_cast<int>(b), static_cast<int>(k)};
+  for (std::size_t k = 0; k < border.size(); ++k) places[at(border[k])] = {-1, static_cast<int>(k), 0};
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (std::size_t b = 0; b < groups[g].count(); ++b)
+      for (int i = 0; i < groups[g].rows(); ++i)
+        places[at(groups[g].row(b, i))] = {static_cast<int>(g), static_cast<int>(b), i};
   return places;
 }
 
 /// The pair of an entry with the one nearer to the border last.
 std::pair<Place, Place> ordered(const std::vector<Place>& places, const Pattern& p, std::size_t e) {
   Place a = places[at(p.rows[e] - p.base)], b = places[at(p.columns[e] - p.base)];
-  if (a.kind == Place::border && b.kind != Place::border) std::swap(a, b);
+  if (a.group < 0) std::swap(a, b);
   return {a, b};
-}
-
-void add_once(std::vector<int>& all, int value) {
-  if (const auto where = std::ranges::lower_bound(all, value); where == all.end() || *where != value)
-    all.insert(where, value);
-}
-
-std::size_t position(const std::vector<int>& all, int value) {
-  return static_cast<std::size_t>(std::ranges::lower_bound(all, value) - all.begin());
 }
 
 }  // namespace
 
 std::unique_ptr<Arrow> Arrow::of(const Pattern& pattern) {
-  auto shape = ArrowShape::of(pattern);
-  return shape ? std::make_unique<Arrow>(pattern, std::move(*shape)) : nullptr;
+  const auto shape = ArrowShape::of(pattern);
+  return shape ? std::make_unique<Arrow>(pattern, *shape) : nullptr;
 }
 
-Arrow::Arrow(const Pattern& pattern, ArrowShape shape) : size_(pattern.size), shape_(std::move(shape)) {
-  for (std::vector<int>& rows : shape_.blocks) blocks_.push_back({rows, {}, 0});
+Arrow::Arrow(const Pattern& pattern, const ArrowShape& shape)
+    : size_(pattern.size), own_border_(shape.border) {
+  for (std::size_t k = 0; k < shape.blocks.size(); ++k)
+    if (!shape.blocks[k].empty()) groups_.emplace_back(static_cast<int>(k) + 1, shape.blocks[k]);
   lay_out(pattern);
 }
 
 void Arrow::lay_out(const Pattern& pattern) {
-  const std::vector<Place> places = places_of(size_, shape_);
-  const std::size_t entries = pattern.rows.size();
-  std::vector<char> tied(shape_.border.size());
+  const std::vector<Place> places = places_of(size_, own_border_, groups_);
+  const std::size_t entries = pattern.rows.size(), border = own_border_.size();
+  std::vector<std::vector<char>> tied(groups_.size(), std::vector<char>(border));
   for (std::size_t e = 0; e < entries; ++e)
-    if (const auto [a, b] = ordered(places, pattern, e); b.kind == Place::border) {
-      if (a.kind == Place::single) tied[at(b.index)] = 1;
-      if (a.kind == Place::block) add_once(blocks_[at(a.index)].tied, b.index);
-    }
-  for (std::size_t k = 0; k < tied.size(); ++k)
-    if (tied[k]) tied_.push_back(static_cast<int>(k));
-
-  const std::size_t singles = shape_.singles.size(), border = shape_.border.size();
-  border_at_ = singles * (1 + tied_.size());
-  std::size_t end = border_at_ + border * border;
-  for (Block& block : blocks_) {
-    block.at = end;
-    end += block.rows.size() * (block.rows.size() + block.tied.size());
+    if (const auto [a, b] = ordered(places, pattern, e); a.group >= 0 && b.group < 0)
+      tied[at(a.group)][at(b.index)] = 1;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    std::vector<int> ties;
+    for (std::size_t k = 0; k < border; ++k)
+      if (tied[g][k]) ties.push_back(static_cast<int>(k));
+    border_at_ = groups_[g].lay_out(std::move(ties), border_at_);
   }
+  const std::size_t end = border_at_ + border * border;
   store_.resize(end);
 
   const auto slot = [&](std::size_t e) {
     const auto [a, b] = ordered(places, pattern, e);
-    if (a.kind == Place::border)
+    if (a.group < 0)
       return border_at_ + at(std::min(a.index, b.index)) * border + at(std::max(a.index, b.index));
-    if (a.kind == Place::single)
-      return at(a.index) + (b.kind == Place::border ? (1 + position(tied_, b.index)) * singles : 0);
-    const Block& block = blocks_[at(a.index)];
-    const std::size_t rows = block.rows.size();
-    const std::size_t column =
-        b.kind == Place::border ? rows + position(block.tied, b.index) : at(std::min(a.in_block, b.in_block));
-    const int row = b.kind == Place::border ? a.in_block : std::max(a.in_block, b.in_block);
-    return block.at + column * rows + at(row);
+    const ArrowGroup& group = groups_[at(a.group)];
+    return b.group < 0 ? group.tie(at(a.index), a.row, b.index) : group.own(at(a.index), a.row, b.row);
   };
   std::vector<bool> written(end);
   for (std::size_t e = 0; e < entries; ++e) {

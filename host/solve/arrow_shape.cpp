@@ -49,12 +49,11 @@ class Search {
     std::vector<char> seen(in_border_);
     for (int i = 0; i < size_; ++i) {
       if (seen[static_cast<std::size_t>(i)]) continue;
-      std::vector<int> component = component_of(i, seen);
-      if (component.size() == 1)
-        shape.singles.push_back(i);
-      else if (component.size() <= arrow_block)
-        shape.blocks.push_back(std::move(component));
-      else
+      const std::vector<int> component = component_of(i, seen);
+      if (component.size() <= arrow_block) {
+        std::vector<int>& alike = shape.blocks[component.size() - 1];
+        alike.insert(alike.end(), component.begin(), component.end());
+      } else
         for (const int k : component)
           if (!take(k)) return {};
     }

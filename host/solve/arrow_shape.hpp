@@ -1,6 +1,7 @@
 // arrow_shape.hpp - is a symmetric matrix a diagonal with a few dense rows?
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,9 +21,9 @@ inline constexpr int arrow_block = 4;
 /// An arrow: the matrix of the rows outside the border falls into blocks of at most arrow_block rows that are
 /// tied to each other through the border alone.
 struct ArrowShape {
-  std::vector<int> border;               ///< ascending, from 0
-  std::vector<int> singles;              ///< blocks of one row, ascending
-  std::vector<std::vector<int>> blocks;  ///< of two rows or more, each ascending
+  std::vector<int> border;  ///< ascending, from 0
+  /// At n - 1 the blocks of n rows, one after the other, each ascending.
+  std::array<std::vector<int>, arrow_block> blocks;
 
   /// Rows with many entries go into the border, the longest first, until what is left falls apart.
   ///
