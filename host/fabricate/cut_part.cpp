@@ -13,6 +13,7 @@
 #include "mesh/predicates.hpp"
 #include "mesh/prism.hpp"
 #include "mesh/repair.hpp"
+#include "mesh/single_precision.hpp"
 
 namespace kreisel {
 namespace {
@@ -33,8 +34,6 @@ TriangleMesh turned(TriangleMesh mesh, const Eigen::Matrix3d& rotation) {
   for (Vec3& v : mesh.vertices) v = rotation * v;
   return mesh;
 }
-
-Vec3 in_single_precision(const Vec3& v) { return v.cast<float>().cast<double>(); }
 
 /// A part turned so that the plane is horizontal.
 struct Level {
@@ -65,8 +64,6 @@ struct Level {
     }
   }
 };
-
-constexpr int sides = 24;  // of a peg
 
 /// How far a point is inside the material, up to a limit; negative outside. By the triangle nearest to it,
 /// which misjudges sides only near sharp edges.
@@ -117,7 +114,7 @@ TriangleMesh half_of(const TriangleMesh& solid, bool above, const Level& level,
   const Eigen::Matrix3d turn = over * level.rotation;
   std::vector<BlindHole> holes;
   for (const Point2& at : pegs_at)
-    holes.push_back({circle({at[0], above ? at[1] : -at[1]}, pegs.radius, sides), pegs.depth()});
+    holes.push_back({circle({at[0], above ? at[1] : -at[1]}, pegs.radius, Pegs::sides), pegs.depth()});
   TriangleMesh flat = turned(solid, level.rotation);
   level.keep_clear(flat);
   // The cap by the coordinates that change most along it.
@@ -141,7 +138,7 @@ TriangleMesh half_of(const TriangleMesh& solid, bool above, const Level& level,
 /// A pin where it belongs, model coordinates.
 TriangleMesh pin(const Level& level, const Point2& at, const Pegs& pegs) {
   const double radius = pegs.radius - Pegs::clearance, end = pegs.depth() - Pegs::clearance;
-  return turned(prism(circle(at, radius, sides), level.height - end, level.height + end),
+  return turned(prism(circle(at, radius, Pegs::sides), level.height - end, level.height + end),
                 level.rotation.transpose());
 }
 
@@ -150,11 +147,6 @@ void add_pins(std::vector<MaterialPart>& pins, const Level& level, const std::ve
   for (const Point2& p : at)
     pins.push_back(
         {fmt::format("peg-{}", pins.size() + 1), density, {pin(level, p, pegs)}, level.down(true)});
-}
-
-TriangleMesh in_single_precision(TriangleMesh mesh) {
-  for (Vec3& v : mesh.vertices) v = in_single_precision(v);
-  return mesh;
 }
 
 [[noreturn]] void refuse_plane_that_misses(const Cut& plane) {

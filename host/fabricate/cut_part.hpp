@@ -12,6 +12,7 @@ namespace kreisel {
 /// Loose pins that align two halves: each sits in a hole in either.
 struct Pegs {
   double radius = 0;  ///< of the holes, mm; 0: none
+  static constexpr int sides = 24;
   /// By how much less the pins' radius and half their length are, mm. Holes and pins are 24-sided prisms.
   static constexpr double clearance = 0.1;
   [[nodiscard]] double depth() const { return 2 * radius; }  ///< of each hole

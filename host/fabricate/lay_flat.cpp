@@ -4,6 +4,9 @@
 #include <cmath>
 
 #include "body/frame.hpp"
+#include "mesh/refill_ends.hpp"
+#include "mesh/repair.hpp"
+#include "mesh/single_precision.hpp"
 
 namespace kreisel {
 namespace {
@@ -39,9 +42,15 @@ std::vector<TriangleMesh> laid_surfaces(const MaterialPart& part) {
   const double rounding = 2e-6 * box_of(part, part.laid).extent().maxCoeff();
   for (TriangleMesh& mesh : surfaces)
     for (Vec3& v : mesh.vertices) {
-      v = part.laid * v;
+      v = in_single_precision(part.laid * v);
       if (std::abs(v[2]) < rounding) v[2] = 0;
     }
+  if (surfaces.size() == 1) {
+    // Rounded anew, corners may have become one, and edges of caps pass on the wrong side of them.
+    RepairReport ignored;
+    surfaces.front() = repaired(std::move(surfaces.front()), ignored);
+    refill_ends(surfaces.front());
+  }
   return surfaces;
 }
 

@@ -11,8 +11,6 @@
 namespace kreisel {
 namespace {
 
-using Loop = std::vector<std::uint32_t>;
-
 /// A height at or just above the one asked for that no vertex comes near to.
 double clear_height(const TriangleMesh& mesh, double height) {
   const double clearance = 1e-8 * bounding_box(mesh).extent().norm();
@@ -94,20 +92,6 @@ class Cut {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> crossings_;
 };
 
-std::vector<Loop> loops_of(std::map<std::uint32_t, std::uint32_t> next) {
-  std::vector<Loop> loops;
-  while (!next.empty()) {
-    Loop& loop = loops.emplace_back();
-    for (auto at = next.begin(); at != next.end();) {
-      loop.push_back(at->first);
-      const std::uint32_t onward = at->second;
-      next.erase(at);
-      at = next.find(onward);
-    }
-  }
-  return loops;
-}
-
 /// Walls and bottom of a hole whose mouth is `ring`, material outside.
 void add_hole(TriangleMesh& mesh, const Loop& ring, double depth) {
   const auto n = static_cast<std::uint32_t>(ring.size()),
@@ -135,7 +119,7 @@ TriangleMesh above_plane(const TriangleMesh& solid, double height, std::span<con
   if (out.triangles.empty()) return out;
 
   // The cap looks down: seen from below, as by (y, x), its outer loops run counter-clockwise.
-  std::vector<Loop> loops = loops_of(std::move(cut.rim));
+  std::vector<Loop> loops = loops_along(std::move(cut.rim));
   const std::vector<Loop> sections = loops;
   std::vector<Loop> rings;
   for (const BlindHole& hole : holes) {
@@ -157,28 +141,7 @@ TriangleMesh above_plane(const TriangleMesh& solid, double height, std::span<con
     loops.push_back(ring);
   }
 
-  // A hole of the section belongs to the smallest outer loop around it.
-  std::vector<std::vector<Loop>> regions;
-  std::vector<double> areas;
-  for (const Loop& loop : loops)
-    if (const double area = twice_area(flat, loop); area > 0) {
-      regions.push_back({loop});
-      areas.push_back(area);
-    }
-  for (const Loop& loop : loops) {
-    if (twice_area(flat, loop) > 0) continue;
-    std::size_t home = regions.size();
-    for (std::size_t i = 0; i < regions.size(); ++i)
-      if (inside_loop(flat, regions[i].front(), flat[loop.front()]) &&
-          (home == regions.size() || areas[i] < areas[home]))
-        home = i;
-    if (home == regions.size())
-      throw InputError(
-          "a section of the mesh crosses itself; expected a mesh that does not run through itself");
-    regions[home].push_back(loop);
-  }
-  for (std::vector<Loop>& region : regions)
-    for (const Triangle& t : fill_polygon(flat, std::move(region))) out.triangles.push_back(t);
+  for (const Triangle& t : fill_loops(flat, loops)) out.triangles.push_back(t);
   for (std::size_t i = 0; i < holes.size(); ++i)
     if (!rings[i].empty()) add_hole(out, rings[i], holes[i].depth);
   return out;

@@ -6,6 +6,7 @@
 
 #include "error.hpp"
 #include "mesh/encode.hpp"
+#include "mesh/single_precision.hpp"
 
 namespace kreisel {
 namespace {
@@ -25,7 +26,7 @@ std::string encode_stl(const std::vector<TriangleMesh>& parts, const std::string
   TriangleMesh mesh = joined(parts, name);
   require_coordinates_within(double(std::numeric_limits<float>::max()), "coordinates within float", mesh,
                              name);
-  for (Vec3& v : mesh.vertices) v = v.cast<float>().cast<double>();  // normals are those of what is written
+  for (Vec3& v : mesh.vertices) v = in_single_precision(v);  // normals are those of what is written
   std::string bytes = header_text;
   bytes.resize(header_bytes);
   const auto count = std::uint32_t(mesh.triangles.size());

@@ -12,7 +12,6 @@
 namespace kreisel {
 namespace {
 
-using Loop = std::vector<std::uint32_t>;
 using Points = std::span<const Point2>;
 
 [[noreturn]] void refuse() {
@@ -161,6 +160,49 @@ std::vector<std::array<std::uint32_t, 3>> fill_polygon(Points points, std::vecto
   for (std::size_t i = 1; i < loops.size(); ++i) bridge(points, polygon, std::move(loops[i]));
   std::vector<std::array<std::uint32_t, 3>> triangles = Ears(points, polygon).clip();
   flip_to_delaunay(points, triangles);
+  return triangles;
+}
+
+std::vector<Loop> loops_along(std::map<std::uint32_t, std::uint32_t> next) {
+  std::vector<Loop> loops;
+  while (!next.empty()) {
+    Loop& loop = loops.emplace_back();
+    for (auto at = next.begin(); at != next.end();) {
+      loop.push_back(at->first);
+      const std::uint32_t onward = at->second;
+      next.erase(at);
+      at = next.find(onward);
+    }
+  }
+  return loops;
+}
+
+std::vector<std::array<std::uint32_t, 3>> fill_loops(std::span<const Point2> points,
+                                                     const std::vector<Loop>& loops) {
+  std::vector<std::vector<Loop>> regions;
+  std::vector<double> areas;
+  for (const Loop& loop : loops)
+    if (const double area = twice_area(points, loop); area > 0) {
+      regions.push_back({loop});
+      areas.push_back(area);
+    }
+  for (const Loop& loop : loops) {
+    if (twice_area(points, loop) > 0) continue;
+    std::size_t home = regions.size();
+    for (std::size_t i = 0; i < regions.size(); ++i)
+      if (inside_loop(points, regions[i].front(), points[loop.front()]) &&
+          (home == regions.size() || areas[i] < areas[home]))
+        home = i;
+    if (home == regions.size())
+      throw InputError(
+          "a section of the mesh crosses itself; expected a mesh that does not run through itself");
+    regions[home].push_back(loop);
+  }
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::vector<Loop>& region : regions) {
+    const auto filled = fill_polygon(points, std::move(region));
+    triangles.insert(triangles.end(), filled.begin(), filled.end());
+  }
   return triangles;
 }
 
