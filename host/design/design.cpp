@@ -29,6 +29,15 @@ Cut parse_plane(const std::string& text) {
   return {*normal, *offset, 0};
 }
 
+/// @throws InputError  nothing is to be cast
+void require_metal(const BodySpec& body) {
+  if (std::max(body.interior_density.value_or(body.density), body.void_density) > body.density) return;
+  throw InputError(
+      "--mould of a part whose shell is its densest material; expected a denser interior "
+      "(--interior-density), or "
+      "a filling of the voids (--void-density)");
+}
+
 /// Drills and cuts the part, always in the same places.
 class Finishing {
  public:
@@ -49,8 +58,8 @@ class Finishing {
   [[nodiscard]] const std::vector<Drain>& drains() const { return drains_; }
 
   std::vector<MaterialPart> operator()(const Body& body, const std::vector<MaterialPart>& parts) {
-    if (parts.size() > 1)
-      throw InputError("--cut or --drain of a part of several materials; expected one of a single material");
+    if (parts.size() > 1 && drain_ > 0)
+      throw InputError("--drain of a part of several materials; expected one of a single material");
     MaterialPart part = parts.front();
     if (part.surfaces.size() < 2) return parts;  // nothing to open
     if (automatic_ && planes_.empty()) planes_ = find_voids(part.surfaces, cut_directions(body)).cuts;
@@ -61,6 +70,7 @@ class Finishing {
     }
     if (planes_.empty()) return {part};
     std::vector<MaterialPart> pieces = cut_part(part, planes_, pegs_);
+    pieces.insert(pieces.end(), parts.begin() + 1, parts.end());
     if (lay_flat_) lay_flat(pieces);
     return pieces;
   }
@@ -77,6 +87,7 @@ class Finishing {
 
 Design make_design(const DesignSpec& spec, const Progress& progress) {
   Finishing finishing(spec);
+  if (spec.mould) require_metal(spec.config.body);
   RunConfig config = spec.config;
   config.wall.to_corners = true;  // a voxel whose centre keeps the wall would stick out into it
   SolvedRun run(config, progress);
@@ -94,9 +105,15 @@ Design make_design(const DesignSpec& spec, const Progress& progress) {
     if (progress) progress("mesh, write, verify");
     PartOptions options;
     options.least_void = std::pow(5 * spec.printer_accuracy, 3);
-    if (finishing.wanted())
-      options.finish = [&](const std::vector<MaterialPart>& parts) { return finishing(run.body(), parts); };
+    std::vector<MaterialPart> cast;
+    if (finishing.wanted() || spec.mould)
+      options.finish = [&](const std::vector<MaterialPart>& parts) {
+        if (spec.mould) cast = cast_of(parts, run.body().density, options.least_void);
+        return finishing.wanted() ? finishing(run.body(), parts) : parts;
+      };
     design.part = make_part(run, spec.file.string(), options);
+    if (progress && !cast.empty()) progress("mould");
+    design.moulds = write_moulds(spec.file, cast);
     design.cuts = finishing.planes();
     design.drains = finishing.drains();
     if (progress) progress("measure the walls");

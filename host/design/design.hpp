@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "design/figures.hpp"
+#include "design/moulds.hpp"
 #include "fabricate/drain.hpp"
 #include "fabricate/thickness.hpp"
 #include "run/make_part.hpp"
@@ -22,6 +23,7 @@ struct DesignSpec {
   std::string cut;
   double peg_radius = 0;    ///< of pins that align the halves of a cut, mm; 0: none
   double drain_radius = 0;  ///< of a hole into every void, mm; 0: none
+  bool mould = false;       ///< moulds are written for solids that are denser than the shell
   bool lay_flat = false;    ///< pieces of cuts are written beside each other, each on its cut
 };
 
@@ -36,7 +38,8 @@ struct Design {
   double printer_accuracy;    ///< as asked, mm
   std::vector<Cut> cuts;      ///< by which it was cut
   std::vector<Drain> drains;  ///< holes into voids
-  std::string other_axes;     ///< where it cannot spin about the axis that was asked for: about which it can
+  std::vector<WrittenMould> moulds;
+  std::string other_axes;  ///< where it cannot spin about the axis that was asked for: about which it can
   std::vector<std::filesystem::path> files;
 
   [[nodiscard]] bool feasible() const { return run.outcome.termination != Termination::infeasible; }

@@ -28,6 +28,24 @@ json to_json(const Figures& f) {
           {"quality", quality}};
 }
 
+json to_json(const WrittenMould& written) {
+  const Mould& mould = written.mould;
+  json files = json::array();
+  for (const auto& file : written.files) files.push_back(file.string());
+  return {{"of", written.of},
+          {"density", written.density},
+          {"files", files},
+          {"normal", list(mould.parting.normal)},
+          {"offset", mould.parting.offset},
+          {"undercut_mm3", mould.parting.undercut},
+          {"sprue_radius_mm", mould.sprue_radius},
+          {"vent_radius_mm", mould.vent_radius},
+          {"vents", mould.vents},
+          {"casting_mm3", mould.casting},
+          {"cavity_mm3", mould.cavity},
+          {"metal_mm3", mould.metal}};
+}
+
 }  // namespace
 
 std::string to_json(const Design& design) {
@@ -74,6 +92,8 @@ std::string to_json(const Design& design) {
     summary["cut_by"].push_back({{"normal", list(cut.normal)}, {"offset", cut.offset}});
   summary["triangles"] = r.verified.triangles;
   summary["cavity_triangles"] = r.verified.void_triangles;
+  summary["moulds"] = json::array();
+  for (const WrittenMould& mould : design.moulds) summary["moulds"].push_back(to_json(mould));
   summary["drains"] = json::array();
   for (const Drain& drain : design.drains)
     summary["drains"].push_back({{"from", list(drain.from)}, {"along", list(drain.along)}});

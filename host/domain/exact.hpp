@@ -28,7 +28,7 @@ struct ExactColumns {
 /// crossings of the surface (crossings.hpp) less its exact offset (mesh/offset.hpp). Every point is as deep
 /// as the wall up to round-off; sorted as in ExactColumns.
 ///
-/// @param wall  > 0, the mesh's unit
+/// @param wall  >= 0, the mesh's unit
 /// @throws InputError  a mesh that is not closed
 [[nodiscard]] std::vector<ExactInterval> exact_intervals(const TriangleMesh& mesh, const Grid& grid,
                                                          double wall);

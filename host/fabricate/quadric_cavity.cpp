@@ -8,8 +8,8 @@
 #include <mutex>
 #include <optional>
 
-#include "domain/exact.hpp"
 #include "error.hpp"
+#include "fabricate/lattice_points.hpp"
 #include "parallel.hpp"
 
 namespace kreisel {
@@ -59,22 +59,6 @@ class Quadric {
   Vec3 b_;
   Eigen::Matrix3d a_;
 };
-
-/// Marks the points of the lattice with one parity (0: corners, 1: centres) that are deep enough inside.
-void mark_depth(const Body& body, double depth, const CubicLattice& lattice, int parity,
-                std::vector<bool>& inside) {
-  const Index first = Index::Constant(parity), n = (lattice.n() - first + Index::Ones()) / 2;
-  Grid grid;
-  grid.h = lattice.cell();
-  grid.n = {n[0], n[1], n[2]};
-  grid.origin = lattice.point(first) - Vec3::Constant(grid.h / 2);
-  for (const ExactInterval& run : exact_intervals(body.local, grid, depth)) {
-    const auto at = [&](double z) { return (z - lattice.point(first)[2]) / grid.h; };
-    const int k0 = std::max(0, static_cast<int>(std::ceil(at(run.z0)))),
-              k1 = std::min(n[2] - 1, static_cast<int>(std::floor(at(run.z1))));
-    for (int k = k0; k <= k1; ++k) inside[lattice.id(first + 2 * Index(run.ix, run.iy, k))] = true;
-  }
-}
 
 /// A t in [0, end) where f(t) is within `tolerance` of zero, or above it with the zero next to it.
 /// f(0) > 0 > f(end). Regula falsi (Illinois), which kinks do not stop.
@@ -157,7 +141,8 @@ CavityMesher::CavityMesher(const Body& body, double wall, double cell)
       lattice_(bounding_box(body.local), cell),
       deep_(lattice_.size()),
       distance_(body.local) {
-  for (const int parity : {0, 1}) mark_depth(body, depth_ + margin * cell, lattice_, parity, deep_);
+  for_each_inside(body.local, depth_ + margin * cell, lattice_,
+                  [&](const Index& at) { deep_[lattice_.id(at)] = true; });
   if (std::ranges::find(deep_, true) == deep_.end())
     throw InputError(fmt::format(
         "wall of {:.4g} mm leaves an interior that is too small to be meshed in cells of {:.2g} mm; "

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "apps/run_design.hpp"
 #include "body/mesh_moments.hpp"
@@ -157,6 +159,38 @@ TEST_F(Design, DrainedIsStillBalanced) {
   EXPECT_TRUE(self_intersections(mesh).empty());
 }
 
+TEST_F(Design, WritesAMouldForAHeavyInteriorBesideAShellCutOpen) {
+  const BenchAnswer a = design(fmt::format(
+      "spin ellipsoid -o {} --json {} --density 1.17 --interior-density 8.1 --mould --cut auto {}",
+      file("part.stl"), file("report.json"), coarse));
+  ASSERT_EQ(a.code, 0) << a.out;
+  const nlohmann::json j = report();
+  EXPECT_TRUE(j.at("after").at("ok").get<bool>()) << "of the halves and what goes into them";
+  EXPECT_EQ(j.at("files").size(), 3u) << "halves of the shell, interior";
+  ASSERT_EQ(j.at("moulds").size(), 1u);
+  const nlohmann::json& mould = j.at("moulds")[0];
+  EXPECT_EQ(mould.at("of"), "interior");
+  const double casting = reference::mesh_moments(read_mesh(file("part-interior.stl"))).value[S1];
+  EXPECT_NEAR(mould.at("casting_mm3").get<double>(), casting, 1e-5 * casting);
+  EXPECT_NEAR(mould.at("cavity_mm3").get<double>(), casting, 5e-3 * casting) << "edges are blunt";
+  ASSERT_EQ(mould.at("files").size(), 4u) << "halves and pins";
+  // What the halves leave of the block they make, less the holes of the pins: what is poured.
+  Vec3 block = Vec3::Zero();
+  double material = 0;
+  for (const char* half : {"upper", "lower"}) {
+    const TriangleMesh mesh = read_mesh(file(fmt::format("part-interior-mould-{}.stl", half)));
+    EXPECT_EQ(shells(mesh).size(), 1u) << half;
+    EXPECT_TRUE(self_intersections(mesh).empty()) << half;
+    const Vec3 size = bounding_box(mesh).extent();
+    EXPECT_EQ(bounding_box(mesh).lo[2], 0) << half;
+    block = {size[0], size[1], block[2] + size[2]};
+    material += reference::mesh_moments(mesh).value[S1];
+  }
+  const double hole =
+      2 * 3 * 12 * std::sin(std::numbers::pi / 12) * 1.5 * 1.5;  // a prism of 24 sides, in both
+  EXPECT_NEAR(block.prod() - material - 2 * hole, mould.at("metal_mm3").get<double>(), 1e-3 * casting);
+}
+
 TEST_F(Design, OfAnInfeasibleProblemWritesNothingAndSaysWhatWouldHelp) {
   const BenchAnswer a = design(fmt::format("spin ellipsoid --contact 12,19.5,0 -o {} --json {} {}",
                                            file("part.stl"), file("report.json"), "--resolution 24"));
@@ -218,6 +252,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"yoyo cuboid -o part.stl --wall 14.99 --resolution 48", "too small to be meshed in cells of"},
         Mistake{"spin ellipsoid -o part.stl --cut 1,2", "expected auto, or a plane"},
         Mistake{"spin ellipsoid -o part.stl --cut 0,0,1,900 --resolution 24", "misses the part"},
+        Mistake{"spin ellipsoid -o part.stl --mould", "a denser interior (--interior-density)"},
+        Mistake{"spin ellipsoid -o part.stl --mould --density 2 --interior-density 1",
+                "whose shell is its densest material"},
         Mistake{"stand kitten -o part.stl --axle 3", "'--axle' was not expected"}));
 
 }  // namespace

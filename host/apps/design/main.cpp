@@ -64,6 +64,9 @@ void add_options(CLI::App& app, Parsed& parsed, const Purpose& purpose) {
   app.add_option("--pegs", parsed.spec.peg_radius,
                  "radius of two loose pins that align the halves of a cut, mm; default none")
       ->check(CLI::PositiveNumber);
+  app.add_flag(
+      "--mould", parsed.spec.mould,
+      "write moulds, too, for what of the part is denser than its shell: two halves, sprue, vents, pins");
   app.add_option("--drain", parsed.spec.drain_radius,
                  "radius of a hole from every void to the outside, mm; default none")
       ->check(CLI::PositiveNumber);

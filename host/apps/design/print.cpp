@@ -74,6 +74,21 @@ std::string residual_text(const Residual& residual) {
   return words;
 }
 
+void print_mould(const WrittenMould& written) {
+  const Mould& m = written.mould;
+  const double grams = 1e-3 * written.density;
+  fmt::print("  mould      of the {}: pour {:.4g} g along {}, {:.4g} g of it are sprue and vents\n",
+             written.of, grams * m.metal, text(-m.parting.normal, 3), grams * (m.metal - m.cavity));
+  fmt::print(
+      "             sprue of {:.2g} mm radius, {} of {:.2g} mm; the casting holds back {:.3g} mm^3{}\n",
+      m.sprue_radius, m.vents == 1 ? "1 vent" : fmt::format("{} vents", m.vents), m.vent_radius,
+      m.parting.undercut,
+      m.parting.undercut > 1e-3 * m.casting ? ": use a mould that gives, or break it" : "");
+  fmt::print("             its cavity is {:+.2g} % off the {}'s volume\n", 100 * (m.cavity / m.casting - 1),
+             written.of);
+  for (const auto& file : written.files) fmt::print("  written    {}\n", file.string());
+}
+
 }  // namespace
 
 void print_design(const Design& d) {
@@ -100,6 +115,7 @@ void print_design(const Design& d) {
   for (const Drain& drain : d.drains)
     fmt::print("  drain      from {} mm along {}\n", text(drain.from, 2), text(drain.along, 3));
   for (const auto& file : d.files) fmt::print("  written    {}\n", file.string());
+  for (const WrittenMould& mould : d.moulds) print_mould(mould);
   fmt::print("  took       {:.1f} s, {:.2g} GiB; {} triangles, {} of them around voids\n", r.whole_seconds,
              r.peak_bytes / (1 << 30), r.verified.triangles, r.verified.void_triangles);
   fmt::print("{}\n", r.verified.verdict.text);

@@ -1,0 +1,44 @@
+#include "design/moulds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fabricate/verify.hpp"
+#include "mesh/check.hpp"
+
+namespace kreisel {
+
+std::vector<MaterialPart> cast_of(const std::vector<MaterialPart>& parts, double shell_density,
+                                  double least) {
+  std::vector<MaterialPart> cast;
+  for (const MaterialPart& part : parts) {
+    if (!(part.density > shell_density)) continue;
+    for (TriangleMesh& solid : castings_of(part, least))
+      cast.push_back({part.name, part.density, {std::move(solid)}});
+  }
+  return cast;
+}
+
+std::vector<WrittenMould> write_moulds(const std::filesystem::path& file,
+                                       const std::vector<MaterialPart>& cast) {
+  std::vector<WrittenMould> moulds;
+  for (const MaterialPart& solid : cast) {
+    const auto alike = std::ranges::count(cast, solid.name, &MaterialPart::name);
+    const auto before = std::ranges::count(moulds, solid.name, &WrittenMould::of);
+    const std::string number = alike > 1 ? fmt::format("-{}", before + 1) : "";
+    std::filesystem::path path = file;
+    path.replace_filename(
+        fmt::format("{}-{}-mould{}{}", file.stem().string(), solid.name, number, file.extension().string()));
+    WrittenMould written{solid.name, solid.density, mould_of(solid.surfaces.front()), {}};
+    WrittenReader reader;
+    for (WrittenMaterial& part : write_parts(path, written.mould.parts)) {
+      require_solid(reader.next(part), part.file.filename().string());
+      if (written.files.empty() || written.files.back() != part.file) written.files.push_back(part.file);
+    }
+    moulds.push_back(std::move(written));
+  }
+  return moulds;
+}
+
+}  // namespace kreisel
