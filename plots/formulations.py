@@ -11,17 +11,22 @@ import records
 import style
 from style import plt
 
-# Formulation and Hessian: a name, a colour, a marker. Only the ray-rep is drawn with both.
+# Formulation, Hessian and linear solver: a name, a colour, a marker. Only the ray-rep is drawn with both Hessians.
 LOOKS = {
     "quadric": ("one quadric", style.COLOURS[2], "D"),
     "rayrep": ("ray-rep, lifted exact Hessian", style.BLUE, "o"),
     "rayrep, limited-memory": ("ray-rep, L-BFGS", style.COLOURS[5], "^"),
     "octree": ("octree", style.COLOURS[4], "v"),
     "voxel": ("voxels", style.VERMILION, "s"),
+    "rayrep, mumps": ("ray-rep, MUMPS", style.BLUE, "o"),
+    "voxel, mumps": ("voxels, MUMPS", style.VERMILION, "s"),
 }
+MUMPS = ", mumps"  # the same iterates as without it, so only the time differs
 
 
 def way(run):
+    if run["config"].get("ipopt.linear_solver") == "mumps":
+        return run["formulation"] + MUMPS
     if run["formulation"] == "rayrep" and run["config"].get("ipopt.hessian_approximation") == "limited-memory":
         return "rayrep, limited-memory"
     return run["formulation"]
@@ -98,6 +103,9 @@ def draw_panel(axes, model, ways):
 
 def figure(found, _published=None):
     lines, left_out = by_way(found)
+    for ways in lines.values():
+        for key in [key for key in ways if key.endswith(MUMPS)]:
+            del ways[key]
     fig, panels = panels_for(len(lines))
     for axes, (model, ways) in zip(panels, lines.items()):
         draw_panel(axes, model, ways)

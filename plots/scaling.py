@@ -27,15 +27,16 @@ def draw_panel(axes, model, ways):
         rays = np.array([run["domain"]["rays"] for run in line], float)
         fit = exponent(line)
         axes.plot(rays, [records.seconds(run) for run in line], color=colour, marker=marker, markersize=4.5,
-                  linewidth=0.8, linestyle="none" if fit else ":", label=name)
+                  linewidth=0.8, linestyle="none" if fit else ":", label=name,
+                  markerfacecolor="none" if key.endswith(formulations.MUMPS) else colour)
         if fit:
             ends = np.array([rays.min(), rays.max()])
             axes.plot(ends, fit[1] * ends ** fit[0], color=colour, linewidth=1.2)
-            texts.append((f"rays$^{{{fit[0]:.2f}}}$", colour))
+            texts.append((f"{'MUMPS ' if key.endswith(formulations.MUMPS) else ''}rays$^{{{fit[0]:.2f}}}$", colour))
     axes.set_xscale("log")
     axes.set_yscale("log")
     for row, (text, colour) in enumerate(texts):
-        axes.text(0.03, 0.97 - 0.085 * row, text, transform=axes.transAxes, color=colour, va="top", fontsize=9)
+        axes.text(0.97, 0.97 - 0.085 * row, text, transform=axes.transAxes, color=colour, va="top", ha="right", fontsize=9)
     low, high = axes.get_ylim()
     axes.set_ylim(low, high * 4)  # room for the exponents
     axes.set_xlabel("rays")
