@@ -45,10 +45,14 @@ void replace(std::string& text, std::string_view mark, const std::string& with) 
 }
 
 /// Text inside a script must not end it.
-std::string within_script(std::string text) {
-  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3)
-    text.insert(at + 1, "\\");
-  return text;
+std::string within_script(const std::string& text) {
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text) {
+    if (c == '/' && safe.ends_with('<')) safe += '\\';
+    safe += c;
+  }
+  return safe;
 }
 
 std::string page(const std::string& bodies, const std::string& report, const std::string& three) {

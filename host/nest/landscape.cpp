@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "error.hpp"
 #include "parallel.hpp"
+#include "stopwatch.hpp"
 
 namespace kreisel::nest {
 namespace {
@@ -163,7 +163,7 @@ Landscape landscape(const PlaneShapes& shapes, const LandscapeSpec& spec,
   if (spec.rotations < 1 || spec.rotations > most_directions || spec.directions % spec.rotations)
     throw InputError(fmt::format("{} rotations by {} directions; expected a divisor of them", spec.rotations,
                                  spec.directions));
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   Vec2 lo = shapes.outer.front(), hi = lo;
   for (const Vec2& p : shapes.outer) {
     lo = lo.cwiseMin(p);
@@ -219,7 +219,7 @@ Landscape landscape(const PlaneShapes& shapes, const LandscapeSpec& spec,
   for (const std::uint64_t n : inside) found.inside += n;
   for (const std::uint64_t n : descents) found.descents += n;
   found.complete = done == found.ny;
-  found.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  found.seconds = watch.seconds();
   return found;
 }
 

@@ -122,6 +122,13 @@ struct ProblemEntry {
   std::vector<std::string_view> settings = {};  ///< names that `make` knows
   ProblemSettings weights = {};                 ///< those that say what f is, with their defaults
   bool centred = false;  ///< the body frame's origin is its centre of mass where no point is given
+
+  /// A body as this problem poses it.
+  [[nodiscard]] BodySpec posed(BodySpec spec) const {
+    spec.stands_upright = upright;
+    spec.centred = centred;
+    return spec;
+  }
 };
 
 [[nodiscard]] const std::vector<ProblemEntry>& problems();

@@ -75,10 +75,7 @@ Body with_rays_across_the_cut(Body body, const RunConfig& config) {
 
 Body body_of(const RunConfig& config, device::Device& device, const Progress& progress) {
   if (progress) progress("set-up");
-  const ProblemEntry& asked = find_problem(config.problem);
-  BodySpec spec = config.body;
-  spec.stands_upright = asked.upright;
-  spec.centred = asked.centred;
+  const BodySpec spec = find_problem(config.problem).posed(config.body);
   Body body = with_rays_across_the_cut(make_body(spec, device), config);
   stop_if_interrupted();
   return body;

@@ -25,8 +25,7 @@ TriangleMesh outermost(const TriangleMesh& mesh) {
 }  // namespace
 
 Subject subject_of_mesh(const RunConfig& config, device::Device& device) {
-  BodySpec spec = config.body;
-  spec.stands_upright = find_problem(config.problem).upright;
+  const BodySpec spec = find_problem(config.problem).posed(config.body);
   Source source = load_solid(spec);
   TriangleMesh whole = source.mesh;
   source.mesh = outermost(whole);

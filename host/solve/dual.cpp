@@ -62,7 +62,7 @@ using Matrix = Eigen::MatrixXd;
 /// The dual as a function of v = (p, multipliers).
 class Dual {
  public:
-  Dual(TotalSupport& oracle, const Model& model, const Rows& rows)
+  Dual(TotalSupport& oracle, const QuadraticModel& model, const Rows& rows)
       : oracle_(oracle),
         model_(model),
         forms_(10, model.factor.cols() + rows.size()),
@@ -109,7 +109,7 @@ class Dual {
 
  private:
   TotalSupport& oracle_;
-  const Model& model_;
+  const QuadraticModel& model_;
   Matrix forms_;
   Vector offsets_;
 };
@@ -265,8 +265,8 @@ Newton Maximiser::run(Vector v, int patience) {
 }
 
 /// minimise_model() with all rows at once.
-DualPoint minimise_with(TotalSupport& oracle, const Model& model, const Rows& rows, const Vector& start,
-                        double tolerance, int patience = most_steps) {
+DualPoint minimise_with(TotalSupport& oracle, const QuadraticModel& model, const Rows& rows,
+                        const Vector& start, double tolerance, int patience = most_steps) {
   const Eigen::Index m = rows.size(), squares = model.factor.cols();
   Vector v = Vector::Zero(squares + m);
   if (start.size() == m) v.tail(m) = start;
@@ -307,10 +307,10 @@ Rows some_of(const Rows& rows, const std::vector<Eigen::Index>& kept) {
 /// A margin that leaves room for many fillings is reached by all of them, and the dual ends at q = 0, where
 /// it has a kink. So that one of them is the answer: the one that lies closest to some point, in a metric
 /// that no row happens to share.
-Model with_a_preference(const Model& model) {
+QuadraticModel with_a_preference(const QuadraticModel& model) {
   Moments form;
   form << 0, -0.31, -0.17, -0.53, 0.13, 0.11, -0.07, 0.9, 1.1, 1.0;
-  Model preferring = model;
+  QuadraticModel preferring = model;
   preferring.linear += 1e-7 * form;  // costs the margin about as much
   return preferring;
 }
@@ -320,14 +320,14 @@ Model with_a_preference(const Model& model) {
 /// weight * z^2 added, whatever the multipliers, q is zero all along no ray. The weight shrinks from where
 /// Newton's method sees whole rays to where it costs nothing, each step from where the last two lead.
 /// [docs/quadric.md, s. 3]
-DualPoint minimise_along_rays(TotalSupport& oracle, const Model& model, const Rows& rows, const Vector& start,
-                              double tolerance) {
+DualPoint minimise_along_rays(TotalSupport& oracle, const QuadraticModel& model, const Rows& rows,
+                              const Vector& start, double tolerance) {
   constexpr double shrink = 0.1, least = 1e-6;
   const double size = model.linear.cwiseAbs().maxCoeff();
   Vector from = start, before;
   DualPoint point;
   for (double weight = shrink; weight >= 0.99 * least; weight *= shrink) {
-    Model lowering = model;
+    QuadraticModel lowering = model;
     lowering.linear[SZZ] += weight * size;
     point = minimise_with(oracle, lowering, rows, from, tolerance);
     if (point.ending == DualPoint::infeasible || point.ending == DualPoint::interrupted) break;
@@ -340,8 +340,8 @@ DualPoint minimise_along_rays(TotalSupport& oracle, const Model& model, const Ro
 
 }  // namespace
 
-DualPoint minimise_model(TotalSupport& oracle, const Model& model, const Rows& rows, const Vector& start,
-                         double tolerance) {
+DualPoint minimise_model(TotalSupport& oracle, const QuadraticModel& model, const Rows& rows,
+                         const Vector& start, double tolerance) {
   // A base may have hundreds of edges, of which two or three count: rows join
   // as they are violated.
   constexpr Eigen::Index few = 6;

@@ -42,7 +42,7 @@ struct Rows {
 
 /// Minimise g . s + |factor^T s - target|^2 / 2 over attainable moments s that meet the rows; or with
 /// `margin`, where no row is an equality, g . s + the least t with c . s <= b + t for all of them.
-struct Model {
+struct QuadraticModel {
   Moments linear = Moments::Zero();
   Eigen::Matrix<double, 10, Eigen::Dynamic> factor = Eigen::Matrix<double, 10, 0>();
   Eigen::VectorXd target = Eigen::VectorXd(0);
@@ -64,7 +64,7 @@ struct DualPoint {
 ///
 /// @param start      multipliers to start from; empty: zero
 /// @param tolerance  on the residual, body units
-[[nodiscard]] DualPoint minimise_model(TotalSupport& oracle, const Model& model, const Rows& rows,
+[[nodiscard]] DualPoint minimise_model(TotalSupport& oracle, const QuadraticModel& model, const Rows& rows,
                                        const Eigen::VectorXd& start, double tolerance);
 
 }  // namespace kreisel

@@ -83,7 +83,7 @@ void Search::note(const State& state, int trials) {
 /// from s towards the minimiser as far as f falls. Between attainable moments lie attainable moments, so that
 /// costs no pass over the rays.
 Phase Search::model_step(State& state, bool first) {
-  Model model;
+  QuadraticModel model;
   model.margin = margin();
   if (!margin()) {
     model.linear = problem_.gradient(state.s);

@@ -105,6 +105,14 @@ TEST_F(BenchSimulate, WhatStandsAndFloatsDoesSoAsItsVerdictSays) {
       << "small heels follow the metacentric height";
 }
 
+TEST_F(BenchSimulate, AYoyoSpinsAboutItsCentreOfMassByDefault) {
+  const BenchAnswer a =
+      bench(fmt::format("simulate --mesh cuboid --problem yoyo --seconds 0.2 --json {}", file("s.json")));
+  ASSERT_EQ(a.code, 0) << a.out;
+  const json solid = json::parse(std::ifstream(file("s.json"))).at("solid");
+  EXPECT_TRUE(solid.at("ok").get<bool>()) << solid.at("text");
+}
+
 TEST_F(BenchSimulate, RefusesWhatItCannotDoInOneLine) {
   std::ofstream(file("not.h5")) << "no record";
   for (const std::string& bad :
