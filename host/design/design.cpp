@@ -68,10 +68,10 @@ class Finishing {
         drains_ = drains_of(part.surfaces[0], part.surfaces[1], drain_, body.frame.rotation.row(2));
       part.surfaces = {drained(part.surfaces[0], part.surfaces[1], drains_, drain_)};
     }
-    if (planes_.empty()) return {part};
-    std::vector<MaterialPart> pieces = cut_part(part, planes_, pegs_);
+    std::vector<MaterialPart> pieces = {part};
+    if (!planes_.empty()) pieces = cut_part(part, planes_, pegs_);
     pieces.insert(pieces.end(), parts.begin() + 1, parts.end());
-    if (lay_flat_) lay_flat(pieces);
+    if (lay_flat_ && !planes_.empty()) lay_flat(pieces);
     return pieces;
   }
 

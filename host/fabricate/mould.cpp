@@ -3,33 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "body/frame.hpp"
+#include "body/mesh_moments.hpp"
 #include "error.hpp"
 #include "fabricate/high_places.hpp"
 #include "fabricate/lay_flat.hpp"
 #include "fabricate/poured.hpp"
 #include "mesh/components.hpp"
 #include "mesh/encode.hpp"
+#include "mesh/moved.hpp"
 #include "mesh/prism.hpp"
 
 namespace kreisel {
 namespace {
 
-double volume_of(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles)
-    sum += mesh.vertices[t[0]].dot(mesh.vertices[t[1]].cross(mesh.vertices[t[2]]));
-  return sum / 6;
-}
+double volume_of(const TriangleMesh& mesh) { return reference::mesh_moments(mesh).value[S1]; }
 
-TriangleMesh turned(TriangleMesh mesh, const Eigen::Matrix3d& rotation) {
-  for (Vec3& v : mesh.vertices) v = rotation * v;
-  return mesh;
+TriangleMesh turned(const TriangleMesh& mesh, const Eigen::Matrix3d& rotation) {
+  return moved(mesh, Eigen::Affine3d(rotation));
 }
 
 /// The triangles of a shell as a mesh.
