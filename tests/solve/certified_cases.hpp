@@ -66,7 +66,7 @@ inline std::vector<Moments> attainable(const Case& on, const Problem& problem, R
   const Rows rows = rows_of(problem.constraints(), false);
   std::vector<Moments> found;
   for (int i = 0; i < count; ++i) {
-    Model model;
+    QuadraticModel model;
     for (double& q : model.linear) q = uniform(random, -1, 1);
     const DualPoint point = minimise_model(oracle, model, rows, {}, 1e-12);
     if (rows.violation(point.s) > 1e-11) continue;

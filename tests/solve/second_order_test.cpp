@@ -138,7 +138,7 @@ class Around {
   [[nodiscard]] Growth along(const Moments& p, double epsilon) {
     Growth growth{0, 0};
     for (const double side : {-epsilon, epsilon}) {
-      Model model;
+      QuadraticModel model;
       model.linear = q_ + side * p;
       const DualPoint near = minimise_model(oracle_, model, rows(), {}, 1e-13);
       EXPECT_LE(near.residual, 1e-13);
