@@ -8,7 +8,7 @@
 #include "body/body.hpp"
 #include "domain/columns.hpp"
 #include "domain/crossings.hpp"
-#include "mesh/distance.hpp"
+#include "mesh/query/distance.hpp"
 #include "micro.hpp"
 
 namespace kreisel::micro {

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "error.hpp"
-#include "mesh/cut_plane.hpp"
-#include "mesh/distance.hpp"
-#include "mesh/prism.hpp"
+#include "mesh/make/cut_plane.hpp"
+#include "mesh/query/distance.hpp"
+#include "mesh/make/prism.hpp"
 
 namespace kreisel {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "body/moments.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

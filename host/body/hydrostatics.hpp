@@ -1,7 +1,7 @@
 // hydrostatics.hpp - what the water does to a body: the outer mesh clipped at the waterplane.
 #pragma once
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

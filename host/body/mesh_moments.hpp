@@ -3,7 +3,7 @@
 
 #include "body/moments.hpp"
 #include "device/device.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

@@ -8,10 +8,10 @@
 #include "body/models.hpp"
 #include "body/models/debian_meshes.hpp"
 #include "error.hpp"
-#include "mesh/check.hpp"
-#include "mesh/format.hpp"
-#include "mesh/read.hpp"
-#include "mesh/solid.hpp"
+#include "mesh/solid/check.hpp"
+#include "mesh/io/format.hpp"
+#include "mesh/io/read.hpp"
+#include "mesh/solid/solid.hpp"
 #include "nearest.hpp"
 
 namespace kreisel {

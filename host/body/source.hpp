@@ -5,7 +5,7 @@
 #include <string>
 
 #include "body/body.hpp"
-#include "mesh/surface.hpp"
+#include "mesh/solid/surface.hpp"
 
 namespace kreisel {
 

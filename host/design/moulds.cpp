@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "fabricate/verify.hpp"
-#include "mesh/check.hpp"
+#include "mesh/solid/check.hpp"
 
 namespace kreisel {
 

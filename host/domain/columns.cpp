@@ -9,7 +9,7 @@
 #include "domain/crossings.hpp"
 #include "domain/interior.hpp"
 #include "error.hpp"
-#include "mesh/distance.hpp"
+#include "mesh/query/distance.hpp"
 #include "parallel.hpp"
 
 namespace kreisel {

@@ -7,7 +7,7 @@
 
 #include "domain/crossings.hpp"
 #include "error.hpp"
-#include "mesh/offset.hpp"
+#include "mesh/query/offset.hpp"
 
 namespace kreisel {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

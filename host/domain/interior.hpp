@@ -7,7 +7,7 @@
 
 #include "domain/crossings.hpp"
 #include "domain/grid.hpp"
-#include "mesh/distance.hpp"
+#include "mesh/query/distance.hpp"
 
 namespace kreisel {
 

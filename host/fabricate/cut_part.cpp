@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "error.hpp"
-#include "mesh/cut_plane.hpp"
-#include "mesh/distance.hpp"
-#include "mesh/encode.hpp"
-#include "mesh/predicates.hpp"
-#include "mesh/prism.hpp"
-#include "mesh/repair.hpp"
-#include "mesh/single_precision.hpp"
+#include "mesh/make/cut_plane.hpp"
+#include "mesh/query/distance.hpp"
+#include "mesh/io/encode.hpp"
+#include "geometry/predicates.hpp"
+#include "mesh/make/prism.hpp"
+#include "mesh/solid/repair.hpp"
+#include "geometry/single_precision.hpp"
 
 namespace kreisel {
 namespace {

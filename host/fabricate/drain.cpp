@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "error.hpp"
-#include "mesh/components.hpp"
-#include "mesh/distance.hpp"
-#include "mesh/encode.hpp"
-#include "mesh/refine.hpp"
+#include "mesh/solid/components.hpp"
+#include "mesh/query/distance.hpp"
+#include "mesh/io/encode.hpp"
+#include "mesh/make/refine.hpp"
 
 namespace kreisel {
 namespace {

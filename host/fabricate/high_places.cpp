@@ -5,7 +5,7 @@
 #include <numeric>
 #include <optional>
 
-#include "mesh/sides.hpp"
+#include "mesh/query/sides.hpp"
 
 namespace kreisel {
 namespace {

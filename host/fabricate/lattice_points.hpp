@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "domain/exact.hpp"
-#include "mesh/march.hpp"
+#include "mesh/make/march.hpp"
 
 namespace kreisel {
 

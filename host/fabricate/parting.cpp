@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "body/frame.hpp"
-#include "mesh/surface_rays.hpp"
+#include "mesh/query/surface_rays.hpp"
 #include "parallel.hpp"
 
 namespace kreisel {

@@ -1,7 +1,7 @@
 // parting.hpp - in which direction the two halves of a mould come off a casting.
 #pragma once
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

@@ -4,7 +4,7 @@
 
 #include "body/mesh_moments.hpp"
 #include "fabricate/void_surface.hpp"
-#include "mesh/separate_edges.hpp"
+#include "mesh/solid/separate_edges.hpp"
 
 namespace kreisel {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "fabricate/lattice_points.hpp"
-#include "mesh/march.hpp"
-#include "mesh/surface_rays.hpp"
+#include "mesh/make/march.hpp"
+#include "mesh/query/surface_rays.hpp"
 
 namespace kreisel {
 namespace {

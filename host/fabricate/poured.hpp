@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 
@@ -13,7 +13,7 @@ struct Channel {
   double radius, top;
 };
 
-/// The union of a casting and its channels, by marching tetrahedra (mesh/march.hpp): a manifold free of
+/// The union of a casting and its channels, by marching tetrahedra (mesh/make/march.hpp): a manifold free of
 /// intersections. Vertices lie on the surfaces of both; edges are blunt by less than a cell.
 ///
 /// @param casting  closed

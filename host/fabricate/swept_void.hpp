@@ -1,7 +1,7 @@
 // swept_void.hpp - the space that a shape needs to be taken out of a half.
 #pragma once
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

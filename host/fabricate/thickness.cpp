@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "mesh/encode.hpp"
-#include "mesh/surface_rays.hpp"
+#include "mesh/io/encode.hpp"
+#include "mesh/query/surface_rays.hpp"
 #include "parallel.hpp"
 
 namespace kreisel {

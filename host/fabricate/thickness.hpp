@@ -1,7 +1,7 @@
 // thickness.hpp - how thin the material between the surfaces of a part gets.
 #pragma once
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

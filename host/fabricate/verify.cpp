@@ -8,12 +8,12 @@
 #include "body/mesh_moments.hpp"
 #include "error.hpp"
 #include "fabricate/lay_flat.hpp"
-#include "mesh/check.hpp"
-#include "mesh/format.hpp"
-#include "mesh/moved.hpp"
-#include "mesh/read.hpp"
-#include "mesh/separate_edges.hpp"
-#include "mesh/write.hpp"
+#include "mesh/solid/check.hpp"
+#include "mesh/io/format.hpp"
+#include "mesh/make/moved.hpp"
+#include "mesh/io/read.hpp"
+#include "mesh/solid/separate_edges.hpp"
+#include "mesh/io/write.hpp"
 
 namespace kreisel {
 

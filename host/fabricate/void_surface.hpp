@@ -2,7 +2,7 @@
 #pragma once
 
 #include "formulation/voxel_set.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

@@ -9,8 +9,8 @@
 #include <functional>
 #include <limits>
 
-#include "mesh/components.hpp"
-#include "mesh/encode.hpp"
+#include "mesh/solid/components.hpp"
+#include "mesh/io/encode.hpp"
 
 namespace kreisel {
 namespace {

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <limits>
 
-#include "mesh/distance.hpp"
+#include "mesh/query/distance.hpp"
 #include "parallel.hpp"
 
 namespace kreisel {

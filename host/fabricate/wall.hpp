@@ -1,7 +1,7 @@
 // wall.hpp - how thick the thinnest wall of a finished part is.
 #pragma once
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

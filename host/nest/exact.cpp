@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "mesh/sides.hpp"
+#include "mesh/query/sides.hpp"
 #include "nest/swept_pair.hpp"
 #include "parallel.hpp"
 

@@ -1,7 +1,7 @@
 // hybrid.hpp - feasibility and scale search by rays and by pairs of triangles: exact, without maps.
 #pragma once
 
-#include "mesh/surface_rays.hpp"
+#include "mesh/query/surface_rays.hpp"
 #include "nest/scale_search.hpp"
 #include "nest/sphere_tree.hpp"
 #include "nest/swept_pair.hpp"

@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "error.hpp"
-#include "mesh/components.hpp"
-#include "mesh/distance.hpp"
-#include "mesh/moved.hpp"
+#include "mesh/solid/components.hpp"
+#include "mesh/query/distance.hpp"
+#include "mesh/make/moved.hpp"
 #include "nest/certify.hpp"
 #include "offset/offset_surface.hpp"
 #include "parallel.hpp"

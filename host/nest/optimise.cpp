@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "error.hpp"
-#include "mesh/distance.hpp"
-#include "mesh/surface_rays.hpp"
+#include "mesh/query/distance.hpp"
+#include "mesh/query/surface_rays.hpp"
 #include "parallel.hpp"
 #include "stopwatch.hpp"
 #include "unknown_name.hpp"

@@ -11,7 +11,7 @@
 #include <tuple>
 
 #include "error.hpp"
-#include "mesh/fill_polygon.hpp"
+#include "geometry/fill_polygon.hpp"
 
 namespace kreisel::nest {
 namespace {

@@ -1,7 +1,7 @@
 // way_out.hpp - can one point of B be taken out, and up to which scale?
 #pragma once
 
-#include "mesh/surface_rays.hpp"
+#include "mesh/query/surface_rays.hpp"
 #include "nest/nesting.hpp"
 
 namespace kreisel::nest {

@@ -1,7 +1,7 @@
 // offset_surface.hpp - the surface at a distance from a closed mesh, by a level set.
 #pragma once
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

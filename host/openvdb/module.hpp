@@ -1,7 +1,7 @@
 // module.hpp - what the module that links OpenVDB offers to who loads it.
 #pragma once
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel::openvdb_module {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "body/moments.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

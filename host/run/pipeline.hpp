@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 #include "run/solved_run.hpp"
 
 namespace kreisel {

@@ -2,8 +2,8 @@
 
 #include "body/mesh_moments.hpp"
 #include "body/source.hpp"
-#include "mesh/components.hpp"
-#include "mesh/repair.hpp"
+#include "mesh/solid/components.hpp"
+#include "mesh/solid/repair.hpp"
 #include "problem/problem.hpp"
 
 namespace kreisel {

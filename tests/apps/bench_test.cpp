@@ -11,9 +11,9 @@
 #include "apps/run_bench.hpp"
 #include "body/hydrostatics.hpp"
 #include "body/mesh_moments.hpp"
-#include "mesh/read.hpp"
+#include "mesh/io/read.hpp"
 #include "mesh/shapes.hpp"
-#include "mesh/write.hpp"
+#include "mesh/io/write.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel {

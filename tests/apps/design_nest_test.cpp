@@ -10,10 +10,10 @@
 
 #include "apps/run_design.hpp"
 #include "body/mesh_moments.hpp"
-#include "mesh/check.hpp"
-#include "mesh/distance.hpp"
-#include "mesh/read.hpp"
-#include "mesh/self_intersections.hpp"
+#include "mesh/solid/check.hpp"
+#include "mesh/query/distance.hpp"
+#include "mesh/io/read.hpp"
+#include "mesh/solid/self_intersections.hpp"
 #include "nest/exact.hpp"
 #include "temporary_folder.hpp"
 

@@ -11,9 +11,9 @@
 
 #include "apps/run_design.hpp"
 #include "body/mesh_moments.hpp"
-#include "mesh/components.hpp"
-#include "mesh/read.hpp"
-#include "mesh/self_intersections.hpp"
+#include "mesh/solid/components.hpp"
+#include "mesh/io/read.hpp"
+#include "mesh/solid/self_intersections.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel {

@@ -6,7 +6,7 @@
 #include "apps/run_bench.hpp"
 #include "mesh/mesh_folder.hpp"
 #include "mesh/shapes.hpp"
-#include "mesh/write.hpp"
+#include "mesh/io/write.hpp"
 
 namespace kreisel {
 namespace {

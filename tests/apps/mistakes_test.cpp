@@ -10,7 +10,7 @@
 
 #include "apps/run_bench.hpp"
 #include "mesh/shapes.hpp"
-#include "mesh/write.hpp"
+#include "mesh/io/write.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel {

@@ -6,7 +6,7 @@
 
 #include "apps/run_bench.hpp"
 #include "body/test_meshes.hpp"
-#include "mesh/write.hpp"
+#include "mesh/io/write.hpp"
 #include "record/nest_record.hpp"
 #include "temporary_folder.hpp"
 

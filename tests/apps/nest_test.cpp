@@ -11,7 +11,7 @@
 #include "apps/installed.hpp"
 #include "apps/run_bench.hpp"
 #include "body/test_meshes.hpp"
-#include "mesh/write.hpp"
+#include "mesh/io/write.hpp"
 #include "nest/known_answers.hpp"
 #include "temporary_folder.hpp"
 

@@ -8,8 +8,8 @@
 #include "body/body.hpp"
 #include "body/mesh_moments.hpp"
 #include "body/test_meshes.hpp"
-#include "mesh/check.hpp"
-#include "mesh/components.hpp"
+#include "mesh/solid/check.hpp"
+#include "mesh/solid/components.hpp"
 #include "refusal.hpp"
 #include "test_device.hpp"
 

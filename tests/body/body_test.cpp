@@ -12,7 +12,7 @@
 #include "body/models/debian_meshes.hpp"
 #include "body/test_meshes.hpp"
 #include "error.hpp"
-#include "mesh/write.hpp"
+#include "mesh/io/write.hpp"
 #include "refusal.hpp"
 #include "temporary_folder.hpp"
 #include "test_device.hpp"

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

@@ -11,7 +11,7 @@
 
 #include "body/models.hpp"
 #include "error.hpp"
-#include "mesh/check.hpp"
+#include "mesh/solid/check.hpp"
 
 namespace kreisel {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "body/mesh_solid.hpp"
 #include "body/models/blend.hpp"
-#include "mesh/check.hpp"
+#include "mesh/solid/check.hpp"
 
 namespace kreisel {
 namespace {

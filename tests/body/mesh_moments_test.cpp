@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "body/test_meshes.hpp"
-#include "mesh/check.hpp"
+#include "mesh/solid/check.hpp"
 #include "test_device.hpp"
 
 namespace kreisel {

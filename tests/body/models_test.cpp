@@ -16,7 +16,7 @@
 #include "body/models/geodesic.hpp"
 #include "body/models/shapes.hpp"
 #include "error.hpp"
-#include "mesh/check.hpp"
+#include "mesh/solid/check.hpp"
 
 namespace kreisel {
 namespace {

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

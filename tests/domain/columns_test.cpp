@@ -7,7 +7,7 @@
 
 #include "domain/test_bodies.hpp"
 #include "error.hpp"
-#include "mesh/check.hpp"
+#include "mesh/solid/check.hpp"
 
 namespace kreisel {
 namespace {

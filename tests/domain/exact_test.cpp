@@ -11,7 +11,7 @@
 #include "body/models/geodesic.hpp"
 #include "domain/test_bodies.hpp"
 #include "error.hpp"
-#include "mesh/distance.hpp"
+#include "mesh/query/distance.hpp"
 #include "test_device.hpp"
 
 namespace kreisel {

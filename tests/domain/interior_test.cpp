@@ -7,7 +7,7 @@
 #include "body/models.hpp"
 #include "domain/columns.hpp"
 #include "domain/test_bodies.hpp"
-#include "mesh/distance.hpp"
+#include "mesh/query/distance.hpp"
 
 namespace kreisel {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "body/mesh_moments.hpp"
 #include "error.hpp"
-#include "mesh/check.hpp"
-#include "mesh/self_intersections.hpp"
+#include "mesh/solid/check.hpp"
+#include "mesh/solid/self_intersections.hpp"
 #include "mesh/shapes.hpp"
 
 namespace kreisel {

@@ -10,9 +10,9 @@
 #include "error.hpp"
 #include "fabricate/lay_flat.hpp"
 #include "fabricate/poured.hpp"
-#include "mesh/check.hpp"
-#include "mesh/components.hpp"
-#include "mesh/self_intersections.hpp"
+#include "mesh/solid/check.hpp"
+#include "mesh/solid/components.hpp"
+#include "mesh/solid/self_intersections.hpp"
 #include "mesh/shapes.hpp"
 
 namespace kreisel {

@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "body/mesh_moments.hpp"
-#include "mesh/check.hpp"
-#include "mesh/distance.hpp"
-#include "mesh/self_intersections.hpp"
+#include "mesh/solid/check.hpp"
+#include "mesh/query/distance.hpp"
+#include "mesh/solid/self_intersections.hpp"
 #include "mesh/shapes.hpp"
 
 namespace kreisel {

@@ -6,7 +6,7 @@
 
 #include "domain/test_bodies.hpp"
 #include "fabricate/void_surface.hpp"
-#include "mesh/check.hpp"
+#include "mesh/solid/check.hpp"
 #include "solve/test_tasks.hpp"
 
 namespace kreisel {

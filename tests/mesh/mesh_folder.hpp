@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/read.hpp"
+#include "mesh/io/read.hpp"
 #include "refusal.hpp"
 
 namespace kreisel {

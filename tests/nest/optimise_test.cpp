@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "known_answers.hpp"
-#include "mesh/surface_rays.hpp"
+#include "mesh/query/surface_rays.hpp"
 #include "nest/exact.hpp"
 #include "refusal.hpp"
 #include "test_device.hpp"

@@ -9,7 +9,7 @@
 
 #include "body/models/geodesic.hpp"
 #include "body/test_meshes.hpp"
-#include "mesh/components.hpp"
+#include "mesh/solid/components.hpp"
 #include "mesh/shapes.hpp"
 #include "refusal.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "mesh/write.hpp"
+#include "mesh/io/write.hpp"
 #include "nest/known_answers.hpp"
 #include "record/hdf5_file.hpp"
 #include "refusal.hpp"

@@ -6,7 +6,7 @@
 
 #include "body/test_meshes.hpp"
 #include "error.hpp"
-#include "mesh/write.hpp"
+#include "mesh/io/write.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel {

@@ -12,8 +12,8 @@
 #include "body/source.hpp"
 #include "error.hpp"
 #include "file/write_text.hpp"
-#include "mesh/check.hpp"
-#include "mesh/solid.hpp"
+#include "mesh/solid/check.hpp"
+#include "mesh/solid/solid.hpp"
 #include "problem/problem.hpp"
 
 namespace kreisel::bench {

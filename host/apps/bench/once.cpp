@@ -7,7 +7,7 @@
 #include "apps/shared/outputs.hpp"
 #include "apps/shared/step_line.hpp"
 #include "fabricate/write_halves.hpp"
-#include "mesh/format.hpp"
+#include "mesh/io/format.hpp"
 #include "record/record.hpp"
 #include "run/pipeline.hpp"
 #include "solve/interrupt.hpp"

@@ -7,7 +7,7 @@
 #include "apps/shared/outputs.hpp"
 #include "error.hpp"
 #include "file/write_text.hpp"
-#include "mesh/format.hpp"
+#include "mesh/io/format.hpp"
 
 namespace kreisel::apps {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel::blend {
 

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "error.hpp"
-#include "mesh/read_off.hpp"
+#include "mesh/io/read_off.hpp"
 
 namespace kreisel {
 namespace {

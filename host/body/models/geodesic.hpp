@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

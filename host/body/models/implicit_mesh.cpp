@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mesh/march.hpp"
+#include "mesh/make/march.hpp"
 
 namespace kreisel {
 namespace {

@@ -1,7 +1,7 @@
 // shapes.hpp - the shapes behind models(). All lengths in millimetres.
 #pragma once
 
-#include "mesh/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kreisel {
 

@@ -1,0 +1,209 @@
+#include "geometry/fill_polygon.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "error.hpp"
+#include "geometry/flip_delaunay.hpp"
+#include "geometry/predicates.hpp"
+
+namespace kreisel {
+namespace {
+
+using Points = std::span<const Point2>;
+
+[[noreturn]] void refuse() {
+  throw InputError("a section of the mesh crosses itself; expected a mesh that does not run through itself");
+}
+
+/// Is p in the closed triangle a, b, c, which runs counter-clockwise?
+bool in_triangle(const Point2& p, const Point2& a, const Point2& b, const Point2& c) {
+  return orient2d(a, b, p) >= 0 && orient2d(b, c, p) >= 0 && orient2d(c, a, p) >= 0;
+}
+
+/// The place in the polygon from which `from`, a point of a hole to its left, can be seen: of the first edge
+/// to the right its end further right, or what lies before that.
+std::optional<std::size_t> visible_from(Points points, const Loop& polygon, const Point2& from) {
+  const std::size_t n = polygon.size();
+  double nearest = std::numeric_limits<double>::infinity();
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point2 &a = points[polygon[i]], &b = points[polygon[(i + 1) % n]];
+    // The inside lies to the left of an edge that goes up.
+    if (!(a[1] <= from[1] && b[1] >= from[1] && a[1] != b[1]) || orient2d(a, b, from) < 0) continue;
+    const double x = a[0] + (from[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+    if (x >= nearest) continue;
+    nearest = x;
+    best = a[0] > b[0] ? i : (i + 1) % n;
+  }
+  if (!best) return std::nullopt;
+  // Within the triangle of the hit, of reflex corners the one at the smallest angle to the ray, then the
+  // nearest.
+  const Point2 hit = {nearest, from[1]}, corner = points[polygon[*best]];
+  const bool above = corner[1] > from[1];
+  const auto slope = [&](const Point2& p) { return std::abs(p[1] - from[1]) / (p[0] - from[0]); };
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point2& p = points[polygon[i]];
+    if (!(p[0] > from[0]) || p == points[polygon[*best]]) continue;
+    if (!(above ? in_triangle(p, from, hit, corner) : in_triangle(p, from, corner, hit))) continue;
+    const Point2& kept = points[polygon[*best]];
+    if (slope(p) < slope(kept) || (slope(p) == slope(kept) && p[0] < kept[0])) best = i;
+  }
+  // A corner that a bridge has doubled: the copy whose wedge `from` lies in.
+  for (std::size_t i = 0; i < n; ++i) {
+    if (points[polygon[i]] != points[polygon[*best]]) continue;
+    const Point2 &p = points[polygon[i]], &before = points[polygon[(i + n - 1) % n]],
+                 &after = points[polygon[(i + 1) % n]];
+    const bool left = orient2d(before, p, from) > 0, right = orient2d(p, after, from) > 0;
+    if (orient2d(before, p, after) >= 0 ? left && right : left || right) return i;
+  }
+  return best;
+}
+
+/// Joins a hole to the polygon around it by an edge there and back.
+void bridge(Points points, Loop& polygon, Loop hole) {
+  const auto first = std::ranges::max_element(hole, {}, [&](std::uint32_t i) { return points[i]; });
+  std::rotate(hole.begin(), first, hole.end());
+  const auto at = visible_from(points, polygon, points[hole.front()]);
+  if (!at) refuse();
+  hole.push_back(hole.front());
+  hole.push_back(polygon[*at]);
+  polygon.insert(polygon.begin() + static_cast<std::ptrdiff_t>(*at) + 1, hole.begin(), hole.end());
+}
+
+class Ears {
+ public:
+  Ears(Points points, const Loop& polygon)
+      : points_(points), at_(polygon), next_(polygon.size()), last_(polygon.size()) {
+    const std::size_t n = polygon.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      next_[i] = (i + 1) % n;
+      last_[(i + 1) % n] = i;
+    }
+  }
+
+  std::vector<std::array<std::uint32_t, 3>> clip() {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::size_t left = at_.size(), i = 0, tried = 0;
+    while (left > 3) {
+      if (tried > left) refuse();
+      if (!is_ear(i)) {
+        i = next_[i];
+        ++tried;
+        continue;
+      }
+      triangles.push_back({at_[last_[i]], at_[i], at_[next_[i]]});
+      next_[last_[i]] = next_[i];
+      last_[next_[i]] = last_[i];
+      i = next_[next_[i]];  // not the neighbour: slivers would fan out from one point
+      --left;
+      tried = 0;
+    }
+    if (left == 3) triangles.push_back({at_[last_[i]], at_[i], at_[next_[i]]});
+    return triangles;
+  }
+
+ private:
+  [[nodiscard]] const Point2& point(std::size_t i) const { return points_[at_[i]]; }
+  [[nodiscard]] bool is_ear(std::size_t i) const {
+    const Point2 &a = point(last_[i]), &b = point(i), &c = point(next_[i]);
+    if (orient2d(a, b, c) <= 0) return false;
+    const std::array<double, 4> box = {std::min({a[0], b[0], c[0]}), std::max({a[0], b[0], c[0]}),
+                                       std::min({a[1], b[1], c[1]}), std::max({a[1], b[1], c[1]})};
+    for (std::size_t j = next_[next_[i]]; j != last_[i]; j = next_[j]) {
+      const Point2& p = point(j);
+      if (p[0] < box[0] || p[0] > box[1] || p[1] < box[2] || p[1] > box[3]) continue;
+      // The ends of a bridge occur twice; the copy of a corner is no obstacle.
+      if (p == a || p == b || p == c) continue;
+      if (in_triangle(p, a, b, c)) return false;
+    }
+    return true;
+  }
+
+  Points points_;
+  Loop at_;
+  std::vector<std::size_t> next_, last_;
+};
+
+}  // namespace
+
+bool inside_loop(Points points, std::span<const std::uint32_t> loop, const Point2& p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Point2 &a = points[loop[i]], &b = points[loop[(i + 1) % loop.size()]];
+    if ((a[1] <= p[1]) == (b[1] <= p[1])) continue;
+    if ((orient2d(a, b, p) > 0) == (b[1] > a[1])) inside = !inside;
+  }
+  return inside;
+}
+
+double twice_area(Points points, std::span<const std::uint32_t> loop) {
+  double sum = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Point2 &a = points[loop[i]], &b = points[loop[(i + 1) % loop.size()]];
+    sum += (a[0] - points[loop[0]][0]) * (b[1] - points[loop[0]][1]) -
+           (b[0] - points[loop[0]][0]) * (a[1] - points[loop[0]][1]);
+  }
+  return sum;
+}
+
+std::vector<std::array<std::uint32_t, 3>> fill_polygon(Points points, std::vector<Loop> loops) {
+  Loop polygon = std::move(loops.front());
+  // From the right, so that what lies to the right of a hole is joined already.
+  const auto rightmost = [&](const Loop& loop) {
+    return points[*std::ranges::max_element(loop, {}, [&](std::uint32_t i) { return points[i]; })];
+  };
+  std::sort(loops.begin() + 1, loops.end(),
+            [&](const Loop& a, const Loop& b) { return rightmost(a) > rightmost(b); });
+  for (std::size_t i = 1; i < loops.size(); ++i) bridge(points, polygon, std::move(loops[i]));
+  std::vector<std::array<std::uint32_t, 3>> triangles = Ears(points, polygon).clip();
+  flip_to_delaunay(points, triangles);
+  return triangles;
+}
+
+std::vector<Loop> loops_along(std::map<std::uint32_t, std::uint32_t> next) {
+  std::vector<Loop> loops;
+  while (!next.empty()) {
+    Loop& loop = loops.emplace_back();
+    for (auto at = next.begin(); at != next.end();) {
+      loop.push_back(at->first);
+      const std::uint32_t onward = at->second;
+      next.erase(at);
+      at = next.find(onward);
+    }
+  }
+  return loops;
+}
+
+std::vector<std::array<std::uint32_t, 3>> fill_loops(std::span<const Point2> points,
+                                                     const std::vector<Loop>& loops) {
+  std::vector<std::vector<Loop>> regions;
+  std::vector<double> areas;
+  for (const Loop& loop : loops)
+    if (const double area = twice_area(points, loop); area > 0) {
+      regions.push_back({loop});
+      areas.push_back(area);
+    }
+  for (const Loop& loop : loops) {
+    if (twice_area(points, loop) > 0) continue;
+    std::size_t home = regions.size();
+    for (std::size_t i = 0; i < regions.size(); ++i)
+      if (inside_loop(points, regions[i].front(), points[loop.front()]) &&
+          (home == regions.size() || areas[i] < areas[home]))
+        home = i;
+    if (home == regions.size())
+      throw InputError(
+          "a section of the mesh crosses itself; expected a mesh that does not run through itself");
+    regions[home].push_back(loop);
+  }
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::vector<Loop>& region : regions) {
+    const auto filled = fill_polygon(points, std::move(region));
+    triangles.insert(triangles.end(), filled.begin(), filled.end());
+  }
+  return triangles;
+}
+
+}  // namespace kreisel

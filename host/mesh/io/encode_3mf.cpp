@@ -1,0 +1,52 @@
+#include "mesh/io/encode.hpp"
+#include "mesh/io/lib3mf_handle.hpp"
+
+namespace kreisel {
+namespace {
+
+/// The library writes coordinates with fixed digits and refuses larger ones when it reads.
+constexpr double largest_coordinate = 1e9;
+
+void require(LIB3MFRESULT result, const Lib3mfHandle& object, const std::string& name) {
+  require_3mf(result, object.get(), name, "a mesh that 3MF can hold");
+}
+
+void add_object(const Lib3mfHandle& model, const MeshObject& object, const std::string& name) {
+  const TriangleMesh mesh = joined(object.parts, name);
+  require_coordinates_within(largest_coordinate, "coordinates within 1e9 mm in a 3MF file", mesh, name);
+  std::vector<NMR::MODELMESHVERTEX> vertices;
+  std::vector<NMR::MODELMESHTRIANGLE> triangles;
+  for (const Vec3& v : mesh.vertices)
+    vertices.push_back({{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())}});
+  for (const auto& [a, b, c] : mesh.triangles) triangles.push_back({{a, b, c}});
+  Lib3mfHandle added, item;
+  require(NMR::lib3mf_model_addmeshobject(model.get(), added.out()), model, name);
+  if (!object.name.empty())
+    require(NMR::lib3mf_object_setnameutf8(added.get(), object.name.c_str()), added, name);
+  require(NMR::lib3mf_meshobject_setgeometry(added.get(), vertices.data(), DWORD(vertices.size()),
+                                             triangles.data(), DWORD(triangles.size())),
+          added, name);
+  require(NMR::lib3mf_model_addbuilditem(model.get(), added.get(), nullptr, item.out()), model, name);
+}
+
+}  // namespace
+
+std::string encode_3mf(const std::vector<TriangleMesh>& parts, const std::string& name) {
+  return encode_3mf_objects({{"", parts}}, name);
+}
+
+std::string encode_3mf_objects(const std::vector<MeshObject>& objects, const std::string& name) {
+  Lib3mfHandle model, writer;
+  require(NMR::lib3mf_createmodel(model.out()), model, name);
+  require(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER), model, name);
+  for (const MeshObject& object : objects) add_object(model, object, name);
+  require(NMR::lib3mf_model_querywriter(model.get(), "3mf", writer.out()), model, name);
+  ULONG64 size = 0;
+  require(NMR::lib3mf_writer_getstreamsize(writer.get(), &size), writer, name);
+  std::string bytes(size, '\0');
+  require(NMR::lib3mf_writer_writetobuffer(writer.get(), reinterpret_cast<BYTE*>(bytes.data()), size), writer,
+          name);
+  return bytes;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,17 @@
+// mesh_object.hpp - meshes that make one thing with a name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/triangle_mesh.hpp"
+
+namespace kreisel {
+
+/// Its outer surface and its cavities, say.
+struct MeshObject {
+  std::string name;
+  std::vector<TriangleMesh> parts;
+};
+
+}  // namespace kreisel

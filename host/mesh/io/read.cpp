@@ -1,0 +1,42 @@
+#include "mesh/io/read.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include "mesh/io/format.hpp"
+
+namespace kreisel {
+namespace {
+
+std::string contents(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status))
+    throw InputError(fmt::format("{}: no such file, expected a mesh", path.string()));
+  if (std::filesystem::is_directory(status))
+    throw InputError(fmt::format("{}: is a directory, expected a mesh file", path.string()));
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in.good() && !in.eof())
+    throw InputError(fmt::format("{}: cannot be opened, expected a readable file", path.string()));
+  if (bytes.empty()) throw InputError(fmt::format("{}: empty file, expected a mesh", path.string()));
+  return bytes;
+}
+
+}  // namespace
+
+TriangleMesh read_mesh(const std::filesystem::path& path) {
+  const MeshFormat& format = mesh_format(path);
+  TriangleMesh mesh = format.read({path.string(), contents(path)});
+  if (mesh.triangles.empty())
+    throw InputError(fmt::format("{}: no triangles, expected at least one face", path.string()));
+  return mesh;
+}
+
+std::vector<TriangleMesh> read_objects(const std::filesystem::path& path) {
+  const MeshFormat& format = mesh_format(path);
+  if (!format.read_objects) return {read_mesh(path)};
+  return format.read_objects({path.string(), contents(path)});
+}
+
+}  // namespace kreisel

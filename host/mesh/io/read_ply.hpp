@@ -1,0 +1,14 @@
+// read_ply.hpp - the PLY format.
+#pragma once
+
+#include "mesh/io/mesh_text.hpp"
+
+namespace kreisel {
+
+/// A PLY file, ascii or binary of either byte order. Read are x, y, z of the element `vertex` and the list
+/// `vertex_indices` (or `vertex_index`) of the element `face`, in any of PLY's number types; other elements
+/// and properties are passed over. The file must end where its header says.
+/// @throws InputError  one line with file, place, what and what was expected
+[[nodiscard]] TriangleMesh read_ply(const MeshFile& file);
+
+}  // namespace kreisel

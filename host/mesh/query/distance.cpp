@@ -1,0 +1,116 @@
+#include "mesh/query/distance.hpp"
+
+#include <embree3/rtcore.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+
+namespace kreisel {
+namespace {
+
+double squared_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 ab = b - a;
+  const double length = ab.squaredNorm();
+  const double t = length > 0 ? std::clamp((p - a).dot(ab) / length, 0.0, 1.0) : 0.0;
+  return (p - (a + t * ab)).squaredNorm();
+}
+
+}  // namespace
+
+double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 n = (b - a).cross(c - a);
+  const double area = n.squaredNorm();
+  if (area > 0) {
+    // Inside the three edge planes the foot of the perpendicular lies in the triangle.
+    const bool above = (b - a).cross(p - a).dot(n) >= 0 && (c - b).cross(p - b).dot(n) >= 0 &&
+                       (a - c).cross(p - c).dot(n) >= 0;
+    if (above) return std::abs((p - a).dot(n)) / std::sqrt(area);
+  }
+  return std::sqrt(
+      std::min({squared_to_segment(p, a, b), squared_to_segment(p, b, c), squared_to_segment(p, c, a)}));
+}
+
+struct SurfaceDistance::Scene {
+  const TriangleMesh* mesh;
+  RTCDevice device = rtcNewDevice("threads=1");
+  RTCScene scene = nullptr;
+  float margin = 0;  ///< covers the rounding of the mesh and the query point to single precision
+};
+
+struct SurfaceDistance::Query {
+  const TriangleMesh* mesh;
+  Vec3 point;
+  double best, enough;
+  float margin;
+  std::optional<std::uint32_t> nearest;
+
+  static bool visit(RTCPointQueryFunctionArguments* arguments) {
+    auto& query = *static_cast<Query*>(arguments->userPtr);
+    const Triangle& t = query.mesh->triangles[arguments->primID];
+    const auto& v = query.mesh->vertices;
+    const double d = distance_to_triangle(query.point, v[t[0]], v[t[1]], v[t[2]]);
+    if (d >= query.best) return false;
+    query.best = d;
+    query.nearest = arguments->primID;
+    arguments->query->radius = d < query.enough ? 0.0f : static_cast<float>(d) + query.margin;
+    return true;  // the radius shrank
+  }
+};
+
+SurfaceDistance::SurfaceDistance(const TriangleMesh& mesh) : scene_(std::make_unique<Scene>()) {
+  Scene& s = *scene_;
+  s.mesh = &mesh;
+  s.scene = rtcNewScene(s.device);
+  rtcSetSceneFlags(s.scene, RTC_SCENE_FLAG_ROBUST);
+  const RTCGeometry geometry = rtcNewGeometry(s.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
+  auto* triangles = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), mesh.triangles.size()));
+  if (!vertices || !triangles) throw std::bad_alloc();
+  double largest = 0;
+  for (const Vec3& v : mesh.vertices) {
+    for (int k = 0; k < 3; ++k) *vertices++ = static_cast<float>(v[k]);
+    largest = std::max(largest, v.cwiseAbs().maxCoeff());
+  }
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t index : t) *triangles++ = index;
+  s.margin = static_cast<float>(16 * largest) * std::numeric_limits<float>::epsilon();
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(s.scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(s.scene);
+}
+
+SurfaceDistance::~SurfaceDistance() {
+  rtcReleaseScene(scene_->scene);
+  rtcReleaseDevice(scene_->device);
+}
+
+void SurfaceDistance::search(Query& query, double limit) const {
+  RTCPointQuery embree{};
+  embree.x = static_cast<float>(query.point[0]);
+  embree.y = static_cast<float>(query.point[1]);
+  embree.z = static_cast<float>(query.point[2]);
+  embree.radius = static_cast<float>(limit) + scene_->margin;
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(scene_->scene, &embree, &context, Query::visit, &query);
+}
+
+double SurfaceDistance::operator()(const Vec3& point, double limit, double enough) const {
+  Query query{scene_->mesh, point, limit, enough, scene_->margin, {}};
+  search(query, limit);
+  return query.best;
+}
+
+std::optional<std::uint32_t> SurfaceDistance::nearest(const Vec3& point, double limit) const {
+  Query query{scene_->mesh, point, limit, 0, scene_->margin, {}};
+  search(query, limit);
+  return query.nearest;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,61 @@
+// sides.hpp - the sides of all triangles, sorted so that those of one edge lie together.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "geometry/triangle_mesh.hpp"
+
+namespace kreisel {
+
+/// The side of a triangle from its corner `corner` to the next.
+struct Side {
+  std::uint32_t low, high;  ///< ends, by vertex index
+  std::uint32_t triangle;
+  std::uint8_t corner;  ///< 0, 1 or 2
+  bool forward;         ///< runs from low to high
+
+  [[nodiscard]] bool same_edge(const Side& o) const { return low == o.low && high == o.high; }
+  /// Number of its corner at the end `low` (or `high`) among all 3 * triangles corners.
+  [[nodiscard]] std::uint32_t corner_at(bool at_low) const {
+    return 3 * triangle + (at_low == forward ? corner : (corner + 1u) % 3u);
+  }
+};
+
+/// All sides but those from a vertex to itself; by edge, then by triangle.
+[[nodiscard]] std::vector<Side> sorted_sides(const TriangleMesh& mesh);
+
+/// Calls visit(first, last) for the sides of each edge in turn. @param sides  as from sorted_sides()
+template <class Visit>
+void for_each_edge(const std::vector<Side>& sides, Visit&& visit) {
+  for (auto first = sides.begin(); first != sides.end();) {
+    const auto last = std::find_if(first, sides.end(), [&](const Side& s) { return !s.same_edge(*first); });
+    visit(first, last);
+    first = last;
+  }
+}
+
+/// Disjoint sets of 0 .. n-1; the lowest member stands for each.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t n) : parent_(n) {
+    for (std::size_t i = 0; i < n; ++i) parent_[i] = std::uint32_t(i);
+  }
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t i, std::uint32_t j) {
+    i = find(i), j = find(j);
+    parent_[std::max(i, j)] = std::min(i, j);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// The corners of triangles (3 * triangle + k) joined across every edge of exactly two triangles: each set is
+/// a fan around one vertex. A vertex with more than one fan is where parts of the surface merely touch.
+[[nodiscard]] DisjointSets corner_fans(const TriangleMesh& mesh, const std::vector<Side>& sides);
+
+}  // namespace kreisel

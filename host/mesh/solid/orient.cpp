@@ -1,0 +1,84 @@
+#include "mesh/solid/orient.hpp"
+
+#include <utility>
+
+#include "mesh/solid/components.hpp"
+#include "mesh/query/sides.hpp"
+
+namespace kreisel {
+namespace {
+
+constexpr std::uint32_t none = ~0u;
+
+/// Across one side of a triangle: the neighbour, and whether the two run the same way along the edge.
+struct Neighbour {
+  std::uint32_t triangle = none;
+  bool conflict = false;
+};
+
+std::vector<Neighbour> neighbours(const TriangleMesh& mesh) {
+  std::vector<Neighbour> across(3 * mesh.triangles.size());
+  for_each_edge(sorted_sides(mesh), [&](auto first, auto last) {
+    if (last - first != 2) return;
+    const bool conflict = first[0].forward == first[1].forward;
+    for (const std::size_t k : {0u, 1u})
+      across[3 * first[k].triangle + first[k].corner] = {first[1 - k].triangle, conflict};
+  });
+  return across;
+}
+
+void turn(Triangle& t) { std::swap(t[1], t[2]); }
+
+}  // namespace
+
+std::size_t orient_shells(TriangleMesh& mesh) {
+  const std::vector<Neighbour> across = neighbours(mesh);
+  enum State : char { unseen, keep, flip };
+  std::vector<char> state(mesh.triangles.size(), unseen);
+  std::size_t turned = 0;
+  for (std::uint32_t seed = 0; seed < state.size(); ++seed) {
+    if (state[seed] != unseen) continue;
+    std::vector<std::uint32_t> shell{seed};
+    state[seed] = keep;
+    std::size_t flips = 0;
+    bool orientable = true;
+    for (std::size_t next = 0; next < shell.size(); ++next)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Neighbour& n = across[3 * shell[next] + k];
+        if (n.triangle == none) continue;
+        const char wanted = (state[shell[next]] == flip) != n.conflict ? flip : keep;
+        if (state[n.triangle] == unseen) {
+          state[n.triangle] = wanted;
+          flips += wanted == flip;
+          shell.push_back(n.triangle);
+        } else if (state[n.triangle] != wanted) {
+          orientable = false;
+        }
+      }
+    if (!orientable) continue;
+    const char fewest = 2 * flips <= shell.size() ? flip : keep;
+    for (const std::uint32_t t : shell)
+      if (state[t] == fewest) {
+        turn(mesh.triangles[t]);
+        ++turned;
+      }
+  }
+  return turned;
+}
+
+std::size_t face_outward(TriangleMesh& mesh) {
+  const std::vector<Shell> all = shells(mesh);
+  const auto enclosing = enclosing_shells(mesh, all);
+  const auto inside_out = [&](std::uint32_t i) { return enclosing[i].empty() && all[i].volume < 0; };
+  std::size_t turned = 0;
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    bool flip = inside_out(i);
+    for (const std::uint32_t outer : enclosing[i]) flip = flip || inside_out(outer);
+    if (!flip) continue;
+    for (const std::uint32_t t : all[i].triangles) turn(mesh.triangles[t]);
+    ++turned;
+  }
+  return turned;
+}
+
+}  // namespace kreisel

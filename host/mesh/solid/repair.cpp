@@ -1,0 +1,141 @@
+#include "mesh/solid/repair.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "mesh/solid/components.hpp"
+#include "mesh/query/equal_vertices.hpp"
+#include "mesh/make/flip_flat.hpp"
+#include "mesh/solid/orient.hpp"
+#include "geometry/predicates.hpp"
+#include "mesh/solid/separate_edges.hpp"
+#include "mesh/query/sides.hpp"
+
+namespace kreisel {
+namespace {
+
+std::string counted(std::size_t n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+/// Edges that do not have exactly two triangles.
+struct EdgeCounts {
+  std::size_t open = 0, crowded = 0;
+  [[nodiscard]] bool closed() const { return !open && !crowded; }
+};
+
+EdgeCounts count_edges(const TriangleMesh& mesh) {
+  EdgeCounts counts;
+  for_each_edge(sorted_sides(mesh), [&](auto first, auto last) {
+    counts.open += last - first == 1;
+    counts.crowded += last - first > 2;
+  });
+  return counts;
+}
+
+std::size_t drop_unused_vertices(TriangleMesh& mesh) {
+  constexpr std::uint32_t none = ~0u;
+  std::vector<std::uint32_t> renumbered(mesh.vertices.size(), none);
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t v : t) renumbered[v] = 0;
+  std::uint32_t kept = 0;
+  for (std::size_t v = 0; v < renumbered.size(); ++v)
+    if (renumbered[v] != none) {
+      mesh.vertices[kept] = mesh.vertices[v];
+      renumbered[v] = kept++;
+    }
+  for (Triangle& t : mesh.triangles)
+    for (std::uint32_t& v : t) v = renumbered[v];
+  const std::size_t dropped = mesh.vertices.size() - kept;
+  mesh.vertices.resize(kept);
+  return dropped;
+}
+
+void merge_equal_vertices(TriangleMesh& mesh, RepairReport& report) {
+  const std::vector<std::uint32_t> first = first_equal_vertex(mesh.vertices);
+  std::size_t equal = 0;
+  for (std::uint32_t v = 0; v < first.size(); ++v) equal += first[v] != v;
+  if (!equal) return;
+  TriangleMesh merged = mesh;
+  for (Triangle& t : merged.triangles)
+    for (std::uint32_t& v : t) v = first[v];
+  if (count_edges(mesh).closed() && count_edges(merged).crowded) {
+    report.lines.push_back(fmt::format("left {} apart: merged, edges would have more than two triangles",
+                                       counted(equal, "equal vertex", "equal vertices")));
+    return;
+  }
+  (void)drop_unused_vertices(merged);
+  mesh = std::move(merged);
+  report.lines.push_back("merged " + counted(equal, "equal vertex", "equal vertices"));
+}
+
+/// Removes the triangles for which drop(triangle) holds. @return  how many
+template <class Predicate>
+std::size_t drop_triangles(TriangleMesh& mesh, Predicate drop) {
+  return std::erase_if(mesh.triangles, drop);
+}
+
+bool repeats_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+/// Drops what the predicate says if a closed surface is left.
+template <class Predicate>
+void drop_if_closed(TriangleMesh& mesh, Predicate drop, const char* one, const char* many,
+                    RepairReport& report) {
+  TriangleMesh candidate = mesh;
+  const std::size_t dropped = drop_triangles(candidate, drop);
+  if (!dropped || candidate.triangles.empty() || !count_edges(candidate).closed()) return;
+  mesh = std::move(candidate);
+  report.lines.push_back("dropped " + counted(dropped, one, many));
+}
+
+void drop_useless_triangles(TriangleMesh& mesh, RepairReport& report) {
+  if (const std::size_t n = drop_triangles(mesh, repeats_vertex))
+    report.lines.push_back("dropped " + counted(n, "triangle that uses", "triangles that use") +
+                           " a vertex twice");
+  drop_if_closed(
+      mesh,
+      [&](const Triangle& t) {
+        return projection_axis(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]) < 0;
+      },
+      "triangle without area", "triangles without area", report);
+  std::set<Triangle> seen;
+  drop_if_closed(
+      mesh,
+      [&](Triangle t) {
+        std::sort(t.begin(), t.end());
+        return !seen.insert(t).second;
+      },
+      "repeated triangle", "repeated triangles", report);
+}
+
+void orient(TriangleMesh& mesh, RepairReport& report) {
+  if (const std::size_t n = orient_shells(mesh))
+    report.lines.push_back("turned " + counted(n, "triangle", "triangles") +
+                           " to run the same way round as the rest");
+  if (const std::size_t n = flip_flat_triangles(mesh))
+    report.lines.push_back("flipped " + counted(n, "triangle without area into its neighbour",
+                                                "triangles without area into their neighbours"));
+  if (!count_edges(mesh).closed()) return;  // no inside, no outside
+  for (const Shell& shell : shells(mesh))
+    if (!shell.oriented) return;
+  if (const std::size_t n = face_outward(mesh))
+    report.lines.push_back("turned " + counted(n, "inside-out shell", "inside-out shells"));
+}
+
+}  // namespace
+
+TriangleMesh repaired(TriangleMesh mesh, RepairReport& report) {
+  std::size_t unused = drop_unused_vertices(mesh);
+  merge_equal_vertices(mesh, report);
+  drop_useless_triangles(mesh, report);
+  if (const std::size_t n = separate_edges(mesh))
+    report.lines.push_back("separated " + counted(n, "edge", "edges") + " at which parts of the solid touch");
+  unused += drop_unused_vertices(mesh);
+  if (unused) report.lines.push_back("dropped " + counted(unused, "unused vertex", "unused vertices"));
+  orient(mesh, report);
+  return mesh;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,80 @@
+#include "mesh/solid/solid.hpp"
+
+#include <fmt/format.h>
+
+#include "error.hpp"
+#include "mesh/solid/check.hpp"
+
+namespace kreisel {
+namespace {
+
+std::string middle_text(const TriangleMesh& mesh, std::uint32_t triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  const Vec3 p = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3;
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
+}
+
+/// repaired() turns triangles wherever that helps; what is left then has no two sides.
+void require_orientable(const TriangleMesh& mesh, std::string_view name) {
+  if (mesh.triangles.empty()) return;  // require_solid() says so
+  const MeshReport report = inspect(mesh);
+  if (report.watertight() && !report.oriented())
+    throw InputError(fmt::format(
+        "{}: cannot be oriented, {} edges along which two triangles run the same way however they "
+        "are turned; expected a surface with an inside",
+        name, report.misoriented.count));
+}
+
+void require_no_self_intersections(Surface& surface, std::string_view name) {
+  const TriangleMesh& mesh = surface.mesh();
+  const auto& pairs = surface.crossings();
+  if (pairs.empty()) return;
+  const auto [first, second] = pairs.front();
+  throw InputError(
+      fmt::format("{}: runs through itself: {} {} of triangles intersect, the first {} at {} and {} at {}; "
+                  "expected a surface without self-intersections",
+                  name, pairs.size(), pairs.size() == 1 ? "pair" : "pairs", first + 1,
+                  middle_text(mesh, first), second + 1, middle_text(mesh, second)));
+}
+
+/// @return  the number of cavities: shells inside another that face inward
+std::size_t require_alternating_shells(Surface& surface, std::string_view name) {
+  const TriangleMesh& mesh = surface.mesh();
+  const auto& all = surface.shells();
+  const auto& enclosing = surface.enclosing();
+  std::size_t cavities = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool cavity = enclosing[i].size() % 2 == 1;
+    if (cavity != (all[i].volume < 0))
+      throw InputError(
+          fmt::format("{}: a shell of {} triangles at {} lies inside {} and faces {}; expected {}", name,
+                      all[i].triangles.size(), middle_text(mesh, all[i].triangles.front()),
+                      enclosing[i].size() == 1 ? "another" : fmt::format("{} others", enclosing[i].size()),
+                      cavity ? "outward" : "inward",
+                      cavity ? "an inward-facing cavity: one solid within another counts its material twice"
+                             : "solid and cavity in turn"));
+    cavities += cavity;
+  }
+  return cavities;
+}
+
+}  // namespace
+
+SolidMesh make_solid(Surface& surface, std::string_view name) {
+  require_orientable(surface.mesh(), name);
+  require_solid(surface.mesh(), name);
+  require_no_self_intersections(surface, name);
+  SolidMesh solid{surface.mesh(), surface.repairs()};
+  if (const std::size_t n = require_alternating_shells(surface, name))
+    solid.repairs.lines.push_back(
+        n == 1 ? "kept 1 cavity, a shell inside the solid that faces inward"
+               : fmt::format("kept {} cavities, shells inside the solid that face inward", n));
+  return solid;
+}
+
+SolidMesh make_solid(TriangleMesh mesh, std::string_view name) {
+  Surface surface(std::move(mesh));
+  return make_solid(surface, name);
+}
+
+}  // namespace kreisel

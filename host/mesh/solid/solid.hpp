@@ -1,0 +1,26 @@
+// solid.hpp - from any mesh of a file to the boundary of a solid, or a clear refusal.
+#pragma once
+
+#include <string_view>
+
+#include "mesh/solid/surface.hpp"
+
+namespace kreisel {
+
+/// A mesh that bounds a solid, and how it came to.
+struct SolidMesh {
+  TriangleMesh mesh;
+  RepairReport repairs;  ///< and how many cavities the solid has
+};
+
+/// The surface after every check: closed, two triangles at every edge, orientable, of non-zero volume
+/// (require_solid()); not running through itself; shells within shells facing inward and outward in turn.
+///
+/// @param name  what messages call the mesh
+/// @throws InputError  the first check that fails; one line with number and place
+[[nodiscard]] SolidMesh make_solid(Surface& surface, std::string_view name);
+
+/// The same of a mesh as it is read, which is mended first (repair.hpp).
+[[nodiscard]] SolidMesh make_solid(TriangleMesh mesh, std::string_view name);
+
+}  // namespace kreisel
