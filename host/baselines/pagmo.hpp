@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "nest/baseline.hpp"
-#include "nest/objective.hpp"
-#include "nest/optimise.hpp"
+#include "nest/search/baseline.hpp"
+#include "nest/search/objective.hpp"
+#include "nest/search/optimise.hpp"
 
 namespace kreisel::nest {
 

@@ -10,8 +10,8 @@
 
 #include "error.hpp"
 #include "mesh/make/cut_plane.hpp"
-#include "mesh/query/distance.hpp"
 #include "mesh/make/prism.hpp"
+#include "mesh/query/distance.hpp"
 
 namespace kreisel {
 namespace {

@@ -9,8 +9,8 @@
 #include "body/frame.hpp"
 #include "body/moments.hpp"
 #include "device/device.hpp"
-#include "mesh/io/length_unit.hpp"
 #include "geometry/triangle_mesh.hpp"
+#include "mesh/io/length_unit.hpp"
 
 namespace kreisel {
 

@@ -8,9 +8,9 @@
 #include "body/models.hpp"
 #include "body/models/debian_meshes.hpp"
 #include "error.hpp"
-#include "mesh/solid/check.hpp"
 #include "mesh/io/format.hpp"
 #include "mesh/io/read.hpp"
+#include "mesh/solid/check.hpp"
 #include "mesh/solid/solid.hpp"
 #include "nearest.hpp"
 

@@ -25,8 +25,8 @@ struct ExactColumns {
 };
 
 /// The parts of the centre lines of a grid's columns inside a mesh and at least `wall` from its surface: the
-/// crossings of the surface (crossings.hpp) less its exact offset (mesh/query/offset.hpp). Every point is as deep
-/// as the wall up to round-off; sorted as in ExactColumns.
+/// crossings of the surface (crossings.hpp) less its exact offset (mesh/query/offset.hpp). Every point is as
+/// deep as the wall up to round-off; sorted as in ExactColumns.
 ///
 /// @param wall  >= 0, the mesh's unit
 /// @throws InputError  a mesh that is not closed

@@ -13,7 +13,7 @@
 #include "experiment/outside_nesting.hpp"
 #include "experiment/outside_solve.hpp"
 #include "experiment/run_text.hpp"
-#include "nest/baseline.hpp"
+#include "nest/search/baseline.hpp"
 #include "record/map_record.hpp"
 #include "record/nest_record.hpp"
 #include "record/record.hpp"

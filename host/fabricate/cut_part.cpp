@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "error.hpp"
-#include "mesh/make/cut_plane.hpp"
-#include "mesh/query/distance.hpp"
-#include "mesh/io/encode.hpp"
 #include "geometry/predicates.hpp"
-#include "mesh/make/prism.hpp"
-#include "mesh/solid/repair.hpp"
 #include "geometry/single_precision.hpp"
+#include "mesh/io/encode.hpp"
+#include "mesh/make/cut_plane.hpp"
+#include "mesh/make/prism.hpp"
+#include "mesh/query/distance.hpp"
+#include "mesh/solid/repair.hpp"
 
 namespace kreisel {
 namespace {

@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "error.hpp"
-#include "mesh/solid/components.hpp"
-#include "mesh/query/distance.hpp"
 #include "mesh/io/encode.hpp"
 #include "mesh/make/refine.hpp"
+#include "mesh/query/distance.hpp"
+#include "mesh/solid/components.hpp"
 
 namespace kreisel {
 namespace {

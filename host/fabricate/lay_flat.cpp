@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "body/frame.hpp"
+#include "geometry/single_precision.hpp"
 #include "mesh/make/refill_ends.hpp"
 #include "mesh/solid/repair.hpp"
-#include "geometry/single_precision.hpp"
 
 namespace kreisel {
 namespace {

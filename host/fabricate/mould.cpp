@@ -12,10 +12,10 @@
 #include "fabricate/high_places.hpp"
 #include "fabricate/lay_flat.hpp"
 #include "fabricate/poured.hpp"
-#include "mesh/solid/components.hpp"
 #include "mesh/io/encode.hpp"
 #include "mesh/make/moved.hpp"
 #include "mesh/make/prism.hpp"
+#include "mesh/solid/components.hpp"
 
 namespace kreisel {
 namespace {

@@ -6,21 +6,21 @@
 #include <vector>
 
 #include "body/body.hpp"
-#include "mesh/query/distance.hpp"
-#include "mesh/make/march.hpp"
 #include "geometry/triangle_mesh.hpp"
+#include "mesh/make/march.hpp"
+#include "mesh/query/distance.hpp"
 
 namespace kreisel {
 
 /// Meshes the boundary of { depth >= wall, q >= 0 }: everything of the interior that a quadric does not fill.
 ///
 /// Marching tetrahedra on a body-centred cubic lattice; which of its points lie in the void comes from the
-/// exact offset along the lattice's vertical lines (mesh/query/offset.hpp), and every vertex is moved along its
-/// edge of the lattice onto the surface: the quadric's root in closed form, the depth by exact distances;
-/// where the two meet, the mesh has an edge (mesh/make/crease.hpp). So the mesh is a manifold that does not run
-/// through itself, and its moments converge to those of the rays (domain/exact.hpp) as cell^2. Parts thinner
-/// than a cell may be lost; what lies within a thousandth of a cell of the surface at a point of the lattice
-/// is left to the material.
+/// exact offset along the lattice's vertical lines (mesh/query/offset.hpp), and every vertex is moved along
+/// its edge of the lattice onto the surface: the quadric's root in closed form, the depth by exact distances;
+/// where the two meet, the mesh has an edge (mesh/make/crease.hpp). So the mesh is a manifold that does not
+/// run through itself, and its moments converge to those of the rays (domain/exact.hpp) as cell^2. Parts
+/// thinner than a cell may be lost; what lies within a thousandth of a cell of the surface at a point of the
+/// lattice is left to the material.
 ///
 /// No point of the mesh is nearer to the body's surface than wall - 1e-7 cell: vertices are laid
 /// sqrt(wall^2 + cell^2 / 3) deep, and by Steiner's parallel axis theorem a triangle without an edge longer

@@ -9,8 +9,8 @@
 #include <functional>
 #include <limits>
 
-#include "mesh/solid/components.hpp"
 #include "mesh/io/encode.hpp"
+#include "mesh/solid/components.hpp"
 
 namespace kreisel {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "mesh/solid/check.hpp"
 #include "mesh/io/read.hpp"
-#include "mesh/solid/separate_edges.hpp"
 #include "mesh/io/write.hpp"
+#include "mesh/solid/check.hpp"
+#include "mesh/solid/separate_edges.hpp"
 
 namespace kreisel {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "nest/baseline.hpp"
+#include "nest/search/baseline.hpp"
 #include "run/field_text.hpp"
 #include "unknown_name.hpp"
 

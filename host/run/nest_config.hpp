@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "nest/layers.hpp"
-#include "nest/optimise.hpp"
+#include "nest/search/layers.hpp"
+#include "nest/search/optimise.hpp"
 
 namespace kreisel {
 

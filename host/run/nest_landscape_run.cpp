@@ -4,7 +4,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "nest/exact.hpp"
+#include "nest/decide/exact.hpp"
 #include "run/nest_parts.hpp"
 #include "stopwatch.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "nest/nesting.hpp"
-#include "nest/optimise.hpp"
+#include "nest/decide/nesting.hpp"
+#include "nest/search/optimise.hpp"
 #include "run/nest_run.hpp"
 
 namespace kreisel {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "error.hpp"
-#include "nest/exact.hpp"
-#include "nest/scale_search.hpp"
+#include "nest/decide/exact.hpp"
+#include "nest/decide/scale_search.hpp"
 #include "run/nest_parts.hpp"
 #include "solve/interrupt.hpp"
 #include "stopwatch.hpp"

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "nest/accuracy.hpp"
-#include "nest/certify.hpp"
-#include "nest/landscape.hpp"
-#include "nest/layers.hpp"
-#include "nest/optimise.hpp"
+#include "nest/decide/accuracy.hpp"
+#include "nest/decide/certify.hpp"
+#include "nest/plane/landscape.hpp"
+#include "nest/search/layers.hpp"
+#include "nest/search/optimise.hpp"
 #include "run/nest_config.hpp"
 #include "run/pipeline.hpp"
 #include "run/provenance.hpp"

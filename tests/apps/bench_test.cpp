@@ -12,8 +12,8 @@
 #include "body/hydrostatics.hpp"
 #include "body/mesh_moments.hpp"
 #include "mesh/io/read.hpp"
-#include "mesh/shapes.hpp"
 #include "mesh/io/write.hpp"
+#include "mesh/shapes.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel {

@@ -10,11 +10,11 @@
 
 #include "apps/run_design.hpp"
 #include "body/mesh_moments.hpp"
-#include "mesh/solid/check.hpp"
-#include "mesh/query/distance.hpp"
 #include "mesh/io/read.hpp"
+#include "mesh/query/distance.hpp"
+#include "mesh/solid/check.hpp"
 #include "mesh/solid/self_intersections.hpp"
-#include "nest/exact.hpp"
+#include "nest/decide/exact.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel {

@@ -11,8 +11,8 @@
 
 #include "apps/run_design.hpp"
 #include "body/mesh_moments.hpp"
-#include "mesh/solid/components.hpp"
 #include "mesh/io/read.hpp"
+#include "mesh/solid/components.hpp"
 #include "mesh/solid/self_intersections.hpp"
 #include "temporary_folder.hpp"
 

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/run_bench.hpp"
+#include "mesh/io/write.hpp"
 #include "mesh/mesh_folder.hpp"
 #include "mesh/shapes.hpp"
-#include "mesh/io/write.hpp"
 
 namespace kreisel {
 namespace {

@@ -9,8 +9,8 @@
 #include <iterator>
 
 #include "apps/run_bench.hpp"
-#include "mesh/shapes.hpp"
 #include "mesh/io/write.hpp"
+#include "mesh/shapes.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel {

@@ -7,7 +7,7 @@
 #include "experiment/progress.hpp"
 #include "experiment/run_text.hpp"
 #include "experiment/runner.hpp"
-#include "nest/baseline.hpp"
+#include "nest/search/baseline.hpp"
 #include "refusal.hpp"
 #include "temporary_folder.hpp"
 

@@ -8,9 +8,9 @@
 
 #include "body/mesh_moments.hpp"
 #include "error.hpp"
+#include "mesh/shapes.hpp"
 #include "mesh/solid/check.hpp"
 #include "mesh/solid/self_intersections.hpp"
-#include "mesh/shapes.hpp"
 
 namespace kreisel {
 namespace {

@@ -10,10 +10,10 @@
 #include "error.hpp"
 #include "fabricate/lay_flat.hpp"
 #include "fabricate/poured.hpp"
+#include "mesh/shapes.hpp"
 #include "mesh/solid/check.hpp"
 #include "mesh/solid/components.hpp"
 #include "mesh/solid/self_intersections.hpp"
-#include "mesh/shapes.hpp"
 
 namespace kreisel {
 namespace {

@@ -10,10 +10,10 @@
 #include "domain/exact.hpp"
 #include "domain/test_bodies.hpp"
 #include "error.hpp"
-#include "mesh/solid/components.hpp"
 #include "mesh/query/distance.hpp"
-#include "mesh/solid/self_intersections.hpp"
 #include "mesh/shapes.hpp"
+#include "mesh/solid/components.hpp"
+#include "mesh/solid/self_intersections.hpp"
 #include "mesh/solid/solid.hpp"
 #include "test_device.hpp"
 

@@ -7,10 +7,10 @@
 #include <numbers>
 
 #include "body/mesh_moments.hpp"
-#include "mesh/solid/check.hpp"
 #include "mesh/query/distance.hpp"
-#include "mesh/solid/self_intersections.hpp"
 #include "mesh/shapes.hpp"
+#include "mesh/solid/check.hpp"
+#include "mesh/solid/self_intersections.hpp"
 
 namespace kreisel {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "known_answers.hpp"
-#include "nest/optimise.hpp"
+#include "nest/search/optimise.hpp"
 #include "refusal.hpp"
 #include "test_device.hpp"
 

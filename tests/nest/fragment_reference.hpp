@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "nest/views.hpp"
+#include "nest/decide/views.hpp"
 
 namespace kreisel::nest::reference {
 

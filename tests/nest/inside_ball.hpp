@@ -1,7 +1,7 @@
 // inside_ball.hpp - a feasibility test whose answers are plain.
 #pragma once
 
-#include "nest/feasibility.hpp"
+#include "nest/decide/feasibility.hpp"
 
 namespace kreisel::nest {
 

@@ -10,7 +10,7 @@
 #include "body/models/geodesic.hpp"
 #include "body/models/revolve.hpp"
 #include "body/test_meshes.hpp"
-#include "nest/nesting.hpp"
+#include "nest/decide/nesting.hpp"
 
 namespace kreisel::nest {
 

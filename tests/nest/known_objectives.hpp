@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "nest/objective.hpp"
+#include "nest/search/objective.hpp"
 
 namespace kreisel::nest {
 

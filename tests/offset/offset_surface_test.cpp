@@ -9,8 +9,8 @@
 
 #include "body/models/geodesic.hpp"
 #include "body/test_meshes.hpp"
-#include "mesh/solid/components.hpp"
 #include "mesh/shapes.hpp"
+#include "mesh/solid/components.hpp"
 #include "refusal.hpp"
 
 namespace kreisel {

@@ -8,7 +8,7 @@
 #include "apps/shared/step_line.hpp"
 #include "error.hpp"
 #include "file/write_text.hpp"
-#include "nest/baseline.hpp"
+#include "nest/search/baseline.hpp"
 #include "record/nest_record.hpp"
 
 namespace kreisel::bench {

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "error.hpp"
-#include "mesh/io/encode.hpp"
 #include "geometry/single_precision.hpp"
+#include "mesh/io/encode.hpp"
 
 namespace kreisel {
 namespace {

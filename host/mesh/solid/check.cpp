@@ -9,8 +9,8 @@
 #include <string>
 
 #include "error.hpp"
-#include "mesh/query/equal_vertices.hpp"
 #include "geometry/predicates.hpp"
+#include "mesh/query/equal_vertices.hpp"
 #include "mesh/query/sides.hpp"
 
 namespace kreisel {

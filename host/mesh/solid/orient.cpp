@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "mesh/solid/components.hpp"
 #include "mesh/query/sides.hpp"
+#include "mesh/solid/components.hpp"
 
 namespace kreisel {
 namespace {

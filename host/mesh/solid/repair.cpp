@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <set>
 
-#include "mesh/solid/components.hpp"
-#include "mesh/query/equal_vertices.hpp"
-#include "mesh/make/flip_flat.hpp"
-#include "mesh/solid/orient.hpp"
 #include "geometry/predicates.hpp"
-#include "mesh/solid/separate_edges.hpp"
+#include "mesh/make/flip_flat.hpp"
+#include "mesh/query/equal_vertices.hpp"
 #include "mesh/query/sides.hpp"
+#include "mesh/solid/components.hpp"
+#include "mesh/solid/orient.hpp"
+#include "mesh/solid/separate_edges.hpp"
 
 namespace kreisel {
 namespace {

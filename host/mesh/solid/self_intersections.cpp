@@ -7,9 +7,9 @@
 #include <limits>
 #include <mutex>
 
-#include "mesh/query/equal_vertices.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/triangle_pair.hpp"
+#include "mesh/query/equal_vertices.hpp"
 
 namespace kreisel {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "body/models/geodesic.hpp"
-#include "mesh/solid/check.hpp"
-#include "mesh/mesh_folder.hpp"
 #include "mesh/io/write.hpp"
+#include "mesh/mesh_folder.hpp"
+#include "mesh/solid/check.hpp"
 
 namespace kreisel {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "body/models/geodesic.hpp"
-#include "mesh/solid/check.hpp"
 #include "mesh/mesh_folder.hpp"
+#include "mesh/solid/check.hpp"
 
 namespace kreisel {
 namespace {

@@ -8,8 +8,8 @@
 #include "body/mesh_moments.hpp"
 #include "body/models.hpp"
 #include "error.hpp"
-#include "mesh/solid/check.hpp"
 #include "mesh/shapes.hpp"
+#include "mesh/solid/check.hpp"
 
 namespace kreisel {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/solid/check.hpp"
 #include "mesh/make/prism.hpp"
-#include "mesh/solid/self_intersections.hpp"
 #include "mesh/shapes.hpp"
+#include "mesh/solid/check.hpp"
+#include "mesh/solid/self_intersections.hpp"
 
 namespace kreisel {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "body/mesh_moments.hpp"
-#include "mesh/solid/check.hpp"
 #include "mesh/shapes.hpp"
+#include "mesh/solid/check.hpp"
 
 namespace kreisel {
 namespace {

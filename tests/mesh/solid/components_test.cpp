@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "body/models/geodesic.hpp"
-#include "mesh/solid/check.hpp"
 #include "mesh/shapes.hpp"
+#include "mesh/solid/check.hpp"
 
 namespace kreisel {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "body/models/geodesic.hpp"
+#include "mesh/shapes.hpp"
 #include "mesh/solid/check.hpp"
 #include "mesh/solid/components.hpp"
 #include "mesh/solid/self_intersections.hpp"
-#include "mesh/shapes.hpp"
 
 namespace kreisel {
 namespace {

@@ -7,9 +7,9 @@
 #include <random>
 
 #include "body/models/geodesic.hpp"
+#include "geometry/triangle_pair.hpp"
 #include "mesh/query/equal_vertices.hpp"
 #include "mesh/shapes.hpp"
-#include "geometry/triangle_pair.hpp"
 
 namespace kreisel {
 namespace {

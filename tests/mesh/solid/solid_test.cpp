@@ -6,8 +6,8 @@
 #include <random>
 
 #include "body/models/geodesic.hpp"
-#include "mesh/solid/check.hpp"
 #include "mesh/shapes.hpp"
+#include "mesh/solid/check.hpp"
 #include "refusal.hpp"
 
 namespace kreisel {
