@@ -13,7 +13,7 @@
 
 #include "error.hpp"
 #include "micro.hpp"
-#include "run/provenance.hpp"
+#include "session/provenance.hpp"
 
 namespace {
 

@@ -22,6 +22,8 @@ struct AxleSpec {
   std::optional<double> radius{};  ///< nothing: no axle, the body stays whole
   std::optional<double> slot{};    ///< default the radius
   std::optional<double> depth{};   ///< default twice the radius
+
+  bool operator==(const AxleSpec&) const = default;
 };
 
 /// @return  nothing without a radius

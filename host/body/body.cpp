@@ -56,7 +56,37 @@ void require_valid(const BodySpec& spec) {
     throw InputError(fmt::format("size {} mm; expected > 0", *spec.size));
 }
 
+void set_densities(Body& body, const BodySpec& spec) {
+  body.density = spec.density;
+  body.interior_density = spec.interior_density.value_or(spec.density);
+  body.void_density = spec.void_density;
+}
+
+/// Axis and contact point, but for a body whose contact is its centre of mass.
+void pose(Body& body, const BodySpec& spec) {
+  const Vec3 up = spec.up ? direction(*spec.up, "--up") : body.usual.up;
+  body.axis = spec.axis                        ? direction(*spec.axis, "--axis")
+              : spec.up || spec.stands_upright ? up
+                                               : body.usual.axis;
+  // A contact point given by hand is in the coordinates of the file as it is written out, after --size.
+  body.contact = spec.contact         ? *spec.contact
+                 : body.usual.contact ? *body.usual.contact
+                                      : lowest_point(body.mesh, body.axis);
+  if (!body.contact.allFinite()) throw InputError("--contact is not finite; expected three numbers, mm");
+  if (spec.contact) require_near_axis(body);
+}
+
 }  // namespace
+
+Body reposed(const Body& made, const BodySpec& spec) {
+  require_valid(spec);
+  Body body = made;
+  set_densities(body, spec);
+  pose(body, spec);
+  if (spec.centred && !spec.contact) body.contact = made.frame.to_model(centre_of_mass(made.solid));
+  if (body.axis != made.axis || body.contact != made.contact) reframe(body, made, body.axis, body.contact);
+  return body;
+}
 
 Vec3 lowest_point(const TriangleMesh& mesh, const Vec3& axis) {
   double low = mesh.vertices.front().dot(axis), high = low;
@@ -84,26 +114,15 @@ Body make_body(const BodySpec& spec, Source source, device::Device& device) {
   Body body;
   body.name = source.name;
   body.repairs = std::move(source.repairs);
-  body.density = spec.density;
-  body.interior_density = spec.interior_density.value_or(spec.density);
-  body.void_density = spec.void_density;
+  set_densities(body, spec);
   const std::optional<double> size = spec.size ? spec.size : source.size;
   const double scale = size ? *size / bounding_box(source.mesh).extent().maxCoeff() : source.millimetres;
   for (Vec3& v : source.mesh.vertices) v *= scale;
   body.mesh = std::move(source.mesh);
 
-  const Vec3 up = spec.up ? direction(*spec.up, "--up") : source.up.normalized();
-  body.axis = spec.axis                        ? direction(*spec.axis, "--axis")
-              : spec.up || spec.stands_upright ? up
-                                               : source.axis.normalized();
-  // A contact point given by hand is in the coordinates of the file as it is written out, after --size.
-  body.contact = spec.contact     ? *spec.contact
-                 : source.contact ? Vec3(scale * *source.contact)
-                                  : lowest_point(body.mesh, body.axis);
-  if (!body.contact.allFinite()) throw InputError("--contact is not finite; expected three numbers, mm");
-
-  if (spec.contact) require_near_axis(body);
-
+  body.usual = {source.axis.normalized(), source.up.normalized(), {}};
+  if (source.contact) body.usual.contact = scale * *source.contact;
+  pose(body, spec);
   Moments about_origin = mesh_moments(body.mesh, device);
   if (spec.centred && !spec.contact) body.contact = centre_of_mass(about_origin);
   body.axle = axle_of(spec.axle);

@@ -34,6 +34,14 @@ struct BodySpec {
   /// Where no contact is given, the origin is the solid's centre of mass; and an axle may be asked for.
   bool centred = false;
   AxleSpec axle;
+
+  bool operator==(const BodySpec&) const = default;
+};
+
+/// How a body lies where nobody says otherwise; model coordinates, mm.
+struct UsualPose {
+  Vec3 axis = Vec3::UnitZ(), up = Vec3::UnitZ();  ///< of unit length
+  std::optional<Vec3> contact = {};               ///< nothing: the lowest point along the axis
 };
 
 /// A solid. Body units: lengths in L = V^(1/3), masses in its own mass if all of it were of the shell's
@@ -48,7 +56,8 @@ struct Body {
   double interior_density = 1.0;     ///< of the interior that is no void, g/cm^3
   double void_density = 0.0;         ///< g/cm^3
   std::vector<std::string> repairs;  ///< what was mended in the file's mesh, one line each
-  std::optional<Axle> axle;          ///< mm; the mesh then is both halves, and the axle not in it
+  UsualPose usual;
+  std::optional<Axle> axle;  ///< mm; the mesh then is both halves, and the axle not in it
   /// What is fixed and not in the mesh, an axle of the same material; body frame and units.
   Moments added = Moments::Zero();
   /// Of the whole solid with what is added, body frame and units; the mesh's share of solid[S1] is 1 up to
@@ -80,6 +89,11 @@ struct Body {
 /// Lays `body`, a copy of `made`, into another frame: z along `axis` (any length but zero), origin at
 /// `contact`, both in model coordinates. As often as wanted: round-off does not add up.
 void reframe(Body& body, const Body& made, const Vec3& axis, const Vec3& contact);
+
+/// The same solid as another specification of the same mesh, size and axle wants it: axis, contact and
+/// densities; what make_body() would make anew, up to round-off.
+/// @throws InputError  as make_body()
+[[nodiscard]] Body reposed(const Body& made, const BodySpec& spec);
 
 /// Total moments from the designed part alone: s = fixed + contrast * s_domain, in body units.
 /// The one place where shell, interior and void come together.

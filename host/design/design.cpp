@@ -7,12 +7,12 @@
 #include <optional>
 #include <utility>
 
-#include "design/other_axes.hpp"
 #include "error.hpp"
 #include "fabricate/cut_part.hpp"
 #include "fabricate/lay_flat.hpp"
 #include "fabricate/wall.hpp"
 #include "parse.hpp"
+#include "session/other_axes.hpp"
 
 namespace kreisel {
 
@@ -85,12 +85,14 @@ class Finishing {
 
 }  // namespace
 
-Design make_design(const DesignSpec& spec, const Progress& progress) {
+Design make_design(const DesignSpec& spec, const Control& control) {
   Finishing finishing(spec);
   if (spec.mould) require_metal(spec.config.body);
   RunConfig config = spec.config;
   config.wall.to_corners = true;  // a voxel whose centre keeps the wall would stick out into it
-  SolvedRun run(config, progress);
+  Session session;
+  SolvedRun run(session, config, control);
+  run.complete(control);
   const double wall = run.result.wall * run.result.length_mm;
   if (wall < spec.printer_accuracy)
     throw InputError(
@@ -102,7 +104,7 @@ Design make_design(const DesignSpec& spec, const Progress& progress) {
   design.printer_accuracy = spec.printer_accuracy;
   design.part.outer = run.body().mesh;
   if (run.result.outcome.termination != Termination::infeasible) {
-    if (progress) progress("mesh, write, verify");
+    control.tell("mesh, write, verify");
     PartOptions options;
     options.least_void = std::pow(5 * spec.printer_accuracy, 3);
     std::vector<MaterialPart> cast;
@@ -112,11 +114,11 @@ Design make_design(const DesignSpec& spec, const Progress& progress) {
         return finishing.wanted() ? finishing(run.body(), parts) : parts;
       };
     design.part = make_part(run, spec.file.string(), options);
-    if (progress && !cast.empty()) progress("mould");
+    if (!cast.empty()) control.tell("mould");
     design.moulds = write_moulds(spec.file, cast);
     design.cuts = finishing.planes();
     design.drains = finishing.drains();
-    if (progress) progress("measure the walls");
+    control.tell("measure the walls");
     design.wall = least_wall(design.part.outer, design.part.cavity);
     design.thinnest = thinnest_material(design.part.outer, design.part.cavity);
   }
@@ -124,7 +126,7 @@ Design make_design(const DesignSpec& spec, const Progress& progress) {
   const RunResult& r = design.run;
   design.before = figures_of(r.solid, 1e3 * r.mass_unit_grams * r.solid[S1] / r.density, r, run.problem());
   if (!design.feasible()) {
-    if (r.config.problem == "spin") design.other_axes = other_axes(spec.config, r.axis, progress);
+    if (r.config.problem == "spin") design.other_axes = other_axes(session, spec.config, r.axis, control);
     return design;
   }
 

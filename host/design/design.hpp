@@ -8,7 +8,7 @@
 #include "design/moulds.hpp"
 #include "fabricate/drain.hpp"
 #include "fabricate/thickness.hpp"
-#include "run/make_part.hpp"
+#include "session/make_part.hpp"
 
 namespace kreisel {
 
@@ -48,7 +48,7 @@ struct Design {
 /// One run, its part written and measured. Where the problem is infeasible nothing is written.
 /// @throws InputError   as run(); a wall below the printer's accuracy
 /// @throws Interrupted  nothing is written
-[[nodiscard]] Design make_design(const DesignSpec& spec, const Progress& progress = {});
+[[nodiscard]] Design make_design(const DesignSpec& spec, const Control& control = {});
 
 /// As JSON, by the field names of docs/output.md.
 [[nodiscard]] std::string to_json(const Design& design);

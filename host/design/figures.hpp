@@ -1,7 +1,7 @@
 // figures.hpp - a solid before and after, in the numbers that people go by.
 #pragma once
 
-#include "run/result.hpp"
+#include "session/result.hpp"
 
 namespace kreisel {
 

@@ -20,7 +20,6 @@
 #include "mesh/solid/components.hpp"
 #include "nest/search/layers.hpp"
 #include "run/nest_parts.hpp"
-#include "solve/interrupt.hpp"
 #include "stopwatch.hpp"
 
 namespace kreisel {
@@ -61,7 +60,7 @@ Shapes load(const NestConfig& config) {
 }
 
 nest::Layers search(const NestedSpec& spec, const Shapes& shapes, device::Device& device,
-                    const Progress& progress) {
+                    const Control& control) {
   nest::LayersSpec layers;
   layers.size = shapes.size;
   layers.tolerances = spec.config.tolerances;
@@ -72,10 +71,9 @@ nest::Layers search(const NestedSpec& spec, const Shapes& shapes, device::Device
   layers.search.freedom.given = unplaced(spec.config);
   nest::Layers found =
       nest::nest_layers(shapes.meshes, device, layers, [&](int layer, const nest::SearchState& state) {
-        if (progress)
-          progress(fmt::format("layer {}, iteration {} of {}, scale {:.4f}", layer, state.trace.size(),
-                               spec.config.search.swarm.iterations, state.scale));
-        return !interrupted();
+        control.tell(fmt::format("layer {}, iteration {} of {}, scale {:.4f}", layer, state.trace.size(),
+                                 spec.config.search.swarm.iterations, state.scale));
+        return !control.stopped();
       });
   if (found.interrupted) throw Interrupted();
   return found;
@@ -88,15 +86,15 @@ WayOff way_off(const nest::Cut& cut, int half) {
 
 class Builder {
  public:
-  Builder(Nested& nested, const Shapes& shapes, const nest::Layers& found)
-      : nested_(nested), shapes_(shapes), found_(found) {}
+  Builder(Nested& nested, const Shapes& shapes, const nest::Layers& found, const Control& control)
+      : nested_(nested), shapes_(shapes), found_(found), control_(control) {}
 
   /// The halves of all layers, and the innermost shape.
   std::vector<MaterialPart> parts() {
     const NestedSpec& spec = nested_.spec;
     std::vector<MaterialPart> all;
     for (std::size_t k = 0; k < found_.layers.size(); ++k) {
-      stop_if_interrupted();
+      control_.stop_if_asked();
       for (MaterialPart& part : halves(found_.layers[k], shape(k))) {
         add_place(k, part.name == "upper" ? 0 : part.name == "lower" ? 1 : -1);
         part.name = fmt::format("layer-{}-{}", k + 1, part.name);
@@ -176,6 +174,7 @@ class Builder {
   Nested& nested_;
   const Shapes& shapes_;
   const nest::Layers& found_;
+  const Control& control_;
 };
 
 double wall_of(const Wall& wall, double size) {
@@ -223,7 +222,7 @@ Vec3 Nested::apart(const NestedPart& part) const {
   return way * layers[part.layer].found.cut.removal(part.half);
 }
 
-Nested make_nested(const NestedSpec& spec, const Progress& progress) {
+Nested make_nested(const NestedSpec& spec, const Control& control) {
   if (!(spec.density > 0)) throw InputError(fmt::format("density {}; expected a number > 0", spec.density));
   require_valid(spec.config);
   Nested nested;
@@ -238,16 +237,16 @@ Nested make_nested(const NestedSpec& spec, const Progress& progress) {
   device::Device device(spec.config.device);
   nested.provenance = make_provenance(device);
   const Stopwatch searching;
-  const nest::Layers found = search(nested.spec, shapes, device, progress);
+  const nest::Layers found = search(nested.spec, shapes, device, control);
   nested.search_seconds = searching.seconds();
   nested.ended = found.ended;
   nested.text = found.ended;
   if (found.layers.empty()) return nested;
-  if (progress) progress("carve, cut, write, verify");
+  control.tell("carve, cut, write, verify");
   const Stopwatch making;
-  Builder builder(nested, shapes, found);
+  Builder builder(nested, shapes, found, control);
   const std::vector<MaterialPart> parts = builder.parts();
-  stop_if_interrupted();
+  control.stop_if_asked();
   judge(nested, builder.verify(write_parts(spec.file, parts)));
   nested.parts_seconds = making.seconds();
   return nested;

@@ -9,8 +9,8 @@
 #include "domain/columns.hpp"
 #include "fabricate/verify.hpp"
 #include "run/nest_config.hpp"
-#include "run/pipeline.hpp"
-#include "run/provenance.hpp"
+#include "session/pipeline.hpp"
+#include "session/provenance.hpp"
 
 namespace kreisel {
 
@@ -67,7 +67,7 @@ struct Nested {
 ///
 /// @throws InputError   a shape that is no solid, options that do not fit, a file that cannot be written
 /// @throws Interrupted  nothing is written
-[[nodiscard]] Nested make_nested(const NestedSpec& spec, const Progress& progress = {});
+[[nodiscard]] Nested make_nested(const NestedSpec& spec, const Control& control = {});
 
 /// As JSON, by the field names of docs/output.md.
 [[nodiscard]] std::string to_json(const Nested& nested);

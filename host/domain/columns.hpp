@@ -16,6 +16,8 @@ struct Wall {
   enum Unit { cells, millimetres, percent } unit = cells;  ///< percent of the longest side of the body
   /// Whether a voxel must keep it with all of itself; with its centre otherwise, as in the papers.
   bool to_corners = false;
+
+  bool operator==(const Wall&) const = default;
 };
 
 /// "1.5h" (cells), "2%" (of the longest side) or "1.2" (mm).

@@ -12,6 +12,8 @@ namespace kreisel {
 struct GridSpec {
   int resolution = 64;                      ///< cells along the longest side of the bounding box
   std::optional<std::array<int, 3>> cells;  ///< the grid itself; the box is centred in it
+
+  bool operator==(const GridSpec&) const = default;
 };
 
 /// Cells [0,nx) x [0,ny) x [0,nz) of edge h; `origin` is the corner of cell (0,0,0). Body units.

@@ -75,11 +75,11 @@ class Solve final : public Attempt {
  public:
   Solve(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks), mesh_(run.mesh) {}
 
-  void run(const Progress& progress) override {
-    result_ = hooks_.run(run_.run.config, mesh_.file(), progress).result;
+  void run(const Control& control) override {
+    result_ = hooks_.run(run_.run.config, mesh_.file(), control).result;
     // Interrupted between two timed solves: whole, but timed less often than asked.
-    const bool cut_short =
-        result_->samples.size() < static_cast<std::size_t>(run_.run.config.repeat) && hooks_.interrupted();
+    const bool cut_short = result_->samples.size() < static_cast<std::size_t>(run_.run.config.repeat) &&
+                           hooks_.stop.stop_requested();
     whole_ = !cut_short && result_->outcome.termination != Termination::interrupted;
   }
 
@@ -112,7 +112,7 @@ class Mapping final : public Attempt {
  public:
   Mapping(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
 
-  void run(const Progress& progress) override { map_ = hooks_.map(run_.run.config, progress); }
+  void run(const Control& control) override { map_ = hooks_.map(run_.run.config, control); }
   [[nodiscard]] bool whole() const override { return map_.axes.size() == map_.asked; }
   [[nodiscard]] bool converged() const override { return true; }  // an axis that is infeasible is an answer
   [[nodiscard]] std::string text() const override {
@@ -133,7 +133,7 @@ class Nesting final : public Attempt {
  public:
   Nesting(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
 
-  void run(const Progress& progress) override { result_ = hooks_.nest(*run_.run.nest, progress); }
+  void run(const Control& control) override { result_ = hooks_.nest(*run_.run.nest, control); }
   [[nodiscard]] bool whole() const override { return result_.ending != NestResult::Ending::interrupted; }
   [[nodiscard]] bool converged() const override { return true; }  // that nothing nests is an answer
   [[nodiscard]] std::string text() const override {

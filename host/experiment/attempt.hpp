@@ -17,7 +17,7 @@ class Attempt {
   Attempt& operator=(const Attempt&) = delete;
 
   /// @throws  whatever the run throws
-  virtual void run(const Progress& progress) = 0;
+  virtual void run(const Control& control) = 0;
 
   // Once run() has returned:
   /// False where the user stopped it before its end.

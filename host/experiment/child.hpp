@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "run/config.hpp"
+#include "session/config.hpp"
 
 namespace kreisel {
 

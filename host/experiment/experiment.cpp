@@ -13,7 +13,7 @@
 #include "experiment/table.hpp"
 #include "nearest.hpp"
 #include "problem/problem.hpp"
-#include "run/field_names.hpp"
+#include "session/field_names.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "run/config.hpp"
 #include "run/nest_config.hpp"
+#include "session/config.hpp"
 
 namespace kreisel {
 

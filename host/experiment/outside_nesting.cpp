@@ -33,8 +33,8 @@ std::vector<std::string> words_of(const NestConfig& config, const fs::path& reco
 
 }  // namespace
 
-void OutsideNesting::run(const Progress& progress) {
-  if (progress) progress("by nest_baseline");
+void OutsideNesting::run(const Control& control) {
+  control.tell("by nest_baseline");
   const int code = run_child(words_of(*run_.run.nest, run_.record)).code;
   whole_ = code != interrupted_code;
   if (whole_ && code != 0)

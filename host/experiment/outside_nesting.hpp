@@ -12,7 +12,7 @@ class OutsideNesting final : public Attempt {
   explicit OutsideNesting(const PlannedRun& run) : run_(run) {}
 
   /// @throws InputError  the program is not there, or refuses what it is asked
-  void run(const Progress& progress) override;
+  void run(const Control& control) override;
   [[nodiscard]] bool whole() const override { return whole_; }
   [[nodiscard]] bool converged() const override { return true; }
   [[nodiscard]] std::string text() const override;

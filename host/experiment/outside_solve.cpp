@@ -52,9 +52,9 @@ OutsideSolve::~OutsideSolve() {
   fs::remove(partial_, ignored);
 }
 
-void OutsideSolve::run(const Progress& progress) {
+void OutsideSolve::run(const Control& control) {
   const Limits& limits = run_.run.config.limits;
-  if (progress) progress("in a process of its own");
+  control.tell("in a process of its own");
   const ChildEnd end = run_child(words_of(run_.run.config, partial_), limits, true);
   if (!end.limit.empty()) throw InputError(end.limit);
   whole_ = end.code != interrupted_code;

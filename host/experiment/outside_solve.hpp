@@ -13,7 +13,7 @@ class OutsideSolve final : public Attempt {
   ~OutsideSolve() override;
 
   /// @throws InputError  it met a limit, or what `bench` says
-  void run(const Progress& progress) override;
+  void run(const Control& control) override;
   [[nodiscard]] bool whole() const override { return whole_; }
   [[nodiscard]] bool converged() const override { return converged_; }
   [[nodiscard]] std::string text() const override;

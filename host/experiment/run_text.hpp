@@ -4,7 +4,7 @@
 #include <string>
 
 #include "experiment/experiment.hpp"
-#include "run/config.hpp"
+#include "session/config.hpp"
 
 namespace kreisel {
 

@@ -124,7 +124,7 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
   ProgressLine progress(options.log, std::move(efforts));
   for (std::size_t i = 0; i < pending.size() && !counts.interrupted; ++i) {
     const PlannedRun& run = pending[i];
-    if (hooks.interrupted()) {
+    if (hooks.stop.stop_requested()) {
       counts.interrupted = true;
       break;
     }
@@ -133,7 +133,7 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
     bool ended = false;
     progress.begin(i);
     try {
-      attempt->run([&](const std::string& step) { progress.step(step); });
+      attempt->run({hooks.stop, [&](const std::string& step) { progress.step(step); }});
       ended = true;
     } catch (const std::bad_alloc&) {
       error = "not enough memory; expected a coarser resolution";
@@ -149,7 +149,7 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
       ++counts.done;
       if (!attempt->converged()) ++counts.unconverged;
       progress.note(fmt::format("{}; {} in all", attempt->text(), duration_text(seconds)));
-    } else if (ended || hooks.interrupted()) {
+    } else if (ended || hooks.stop.stop_requested()) {
       // What an interruption tore apart says nothing about the run.
       counts.interrupted = true;
     } else {

@@ -4,14 +4,14 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "experiment/experiment.hpp"
 #include "run/nest_run.hpp"
-#include "run/orientation_map.hpp"
-#include "run/pipeline.hpp"
-#include "solve/interrupt.hpp"
+#include "session/orientation_map.hpp"
+#include "session/pipeline.hpp"
 
 namespace kreisel {
 
@@ -23,19 +23,19 @@ struct RunnerOptions {
 
 /// What the runner calls; tests put their own in place.
 struct RunnerHooks {
-  std::function<RunOutput(const RunConfig&, const std::string& mesh_file, const Progress&)> run =
-      kreisel::run;
-  std::function<OrientationMap(const RunConfig&, const Progress&)> map = [](const RunConfig& config,
-                                                                            const Progress& progress) {
-    return map_orientations(map_spec(config), progress);
+  std::function<RunOutput(const RunConfig&, const std::string& mesh_file, const Control&)> run = kreisel::run;
+  std::function<OrientationMap(const RunConfig&, const Control&)> map = [](const RunConfig& config,
+                                                                           const Control& control) {
+    Session session;
+    return map_orientations(session, map_spec(config), control);
   };
-  std::function<NestResult(const NestConfig&, const Progress&)> nest = [](const NestConfig& config,
-                                                                          const Progress& progress) {
+  std::function<NestResult(const NestConfig&, const Control&)> nest = [](const NestConfig& config,
+                                                                         const Control& control) {
     NestHooks hooks;
-    hooks.progress = progress;
+    hooks.control = control;
     return run_nest(config, hooks);
   };
-  std::function<bool()> interrupted = kreisel::interrupted;
+  std::stop_token stop = {};
   /// Of a run that failed before it could say itself.
   std::function<Provenance(const ExperimentRun&)> provenance;
 };

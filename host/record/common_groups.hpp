@@ -2,8 +2,8 @@
 #pragma once
 
 #include "record/hdf5_file.hpp"
-#include "run/config.hpp"
-#include "run/provenance.hpp"
+#include "session/config.hpp"
+#include "session/provenance.hpp"
 
 namespace kreisel {
 

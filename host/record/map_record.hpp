@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "run/orientation_map.hpp"
+#include "session/orientation_map.hpp"
 
 namespace kreisel {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "file/write_text.hpp"
-#include "run/result.hpp"
+#include "session/result.hpp"
 
 namespace kreisel {
 

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "nest/search/baseline.hpp"
-#include "run/field_text.hpp"
+#include "session/field_text.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel {

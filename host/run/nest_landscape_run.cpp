@@ -60,10 +60,9 @@ NestResult run_landscape(const NestConfig& config, const NestHooks& hooks) {
   spec.directions = directions_for(config.rotations);
   const Stopwatch search;
   found.map = nest::landscape(found.outlines, spec, [&](int done, int rows) {
-    if (hooks.progress)
-      hooks.progress(fmt::format("row {} of {}, about {:.0f} s left", done, rows,
-                                 search.seconds() * (static_cast<double>(rows) / done - 1)));
-    return !hooks.interrupted();
+    hooks.control.tell(fmt::format("row {} of {}, about {:.0f} s left", done, rows,
+                                   search.seconds() * (static_cast<double>(rows) / done - 1)));
+    return !hooks.control.stopped();
   });
   result.search_seconds = search.seconds();
   const std::size_t best = found.map.best();

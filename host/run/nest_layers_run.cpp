@@ -40,10 +40,9 @@ NestResult run_layers(const NestConfig& config, const NestHooks& hooks) {
   spec.search = search_of(config);
   spec.search.freedom.given = unplaced(config);
   result.layers = nest::nest_layers(shapes, device, spec, [&](int layer, const nest::SearchState& state) {
-    if (hooks.progress)
-      hooks.progress(
-          fmt::format("layer {}, iteration {}, scale {:.4f}", layer, state.trace.size(), state.scale));
-    return !hooks.interrupted();
+    hooks.control.tell(
+        fmt::format("layer {}, iteration {}, scale {:.4f}", layer, state.trace.size(), state.scale));
+    return !hooks.control.stopped();
   });
   const nest::Layers& found = *result.layers;
   result.evaluations = 0;

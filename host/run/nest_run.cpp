@@ -8,7 +8,6 @@
 #include "nest/decide/exact.hpp"
 #include "nest/decide/scale_search.hpp"
 #include "run/nest_parts.hpp"
-#include "solve/interrupt.hpp"
 #include "stopwatch.hpp"
 
 namespace kreisel {
@@ -77,18 +76,16 @@ class Run {
   }
 
  private:
-  void step(const std::string& what) const {
-    if (hooks_.progress) hooks_.progress(what);
-  }
+  void step(const std::string& what) const { hooks_.control.tell(what); }
 
   void compare(const nest::Nesting& nesting, device::Device& device, const Stopwatch& setup) {
     step("comparing");
     result_.setup_seconds = setup.seconds();
     const Stopwatch search;
     result_.accuracy = nest::compare(device, nesting, config_.accuracy, {64, 128, 256, 512},
-                                     config_.search.swarm.seed, interrupted);
+                                     config_.search.swarm.seed, hooks_.control.stop);
     result_.search_seconds = search.seconds();
-    if (hooks_.interrupted()) result_.ending = Ending::interrupted;
+    if (hooks_.control.stopped()) result_.ending = Ending::interrupted;
     result_.evaluations = static_cast<std::uint64_t>(result_.accuracy->placements);
     result_.text =
         fmt::format("{} of {} placements nest", result_.accuracy->nested, result_.accuracy->placements);
@@ -142,7 +139,7 @@ class Run {
             kept = search.seconds();
             hooks_.keep({config_, state, result_.trace_seconds});
           }
-          return !(stopped = hooks_.interrupted());
+          return !(stopped = hooks_.control.stopped());
         },
         hooks_.resume ? &hooks_.resume->state : nullptr);
     if (hooks_.keep) hooks_.keep({config_, found.state, result_.trace_seconds});
@@ -205,7 +202,7 @@ class Run {
 
   void time(const nest::Nesting& nesting, device::Device& device, const nest::Placement& placement) {
     for (const char* variant : {"peel", "envelope", "exact", "hybrid"}) {
-      if (config_.timings == 0 || hooks_.interrupted()) return;
+      if (config_.timings == 0 || hooks_.control.stopped()) return;
       step(fmt::format("timing {}", variant));
       const auto test = nest::make_feasibility(variant, device, nesting, config_.resolution);
       const auto search = nest::make_search(variant, device, nesting, config_.resolution);
@@ -238,8 +235,6 @@ class Run {
 };
 
 }  // namespace
-
-NestHooks::NestHooks() : interrupted(kreisel::interrupted) {}
 
 std::string_view termination_of(const NestResult& result) {
   if (result.ending == Ending::interrupted) return "interrupted";

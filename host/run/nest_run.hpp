@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "control.hpp"
 #include "nest/decide/accuracy.hpp"
 #include "nest/decide/certify.hpp"
 #include "nest/plane/landscape.hpp"
 #include "nest/search/layers.hpp"
 #include "nest/search/optimise.hpp"
 #include "run/nest_config.hpp"
-#include "run/pipeline.hpp"
-#include "run/provenance.hpp"
+#include "session/provenance.hpp"
 
 namespace kreisel {
 
@@ -70,14 +70,12 @@ struct NestResult {
 
 /// What a run tells and asks on its way.
 struct NestHooks {
-  Progress progress = {};
-  std::function<bool()> interrupted;                     ///< default: Ctrl-C
+  Control control = {};
   std::function<void(const NestCheckpoint&)> keep = {};  ///< every half a minute, and at the end of a search
   const NestCheckpoint* resume = nullptr;
   std::function<nest::OptimiseResult(const nest::Nesting&, device::Device&, const nest::OptimiseSpec&,
                                      const nest::OnIteration&, const nest::SearchState*)>
       optimise = nest::optimise;
-  NestHooks();
 };
 
 /// @throws InputError  shapes, options or a checkpoint that do not fit; a swarm that is a baseline's, unless

@@ -12,7 +12,6 @@
 #include "parse.hpp"
 #include "physics/units.hpp"
 #include "problem/problem.hpp"
-#include "solve/interrupt.hpp"
 
 namespace kreisel {
 namespace {
@@ -64,25 +63,25 @@ std::vector<Toppling> stand_of(const Subject& subject, const Moments& s) {
 }
 
 /// Of both sides the one on which it comes back from less.
-RightingArm weaker_side(const Afloat& afloat, double azimuth) {
+RightingArm weaker_side(const Afloat& afloat, double azimuth, const Control& control) {
   RightingArm one = righting_arm(afloat, azimuth);
-  stop_if_interrupted();
+  control.stop_if_asked();
   RightingArm other = righting_arm(afloat, azimuth + std::numbers::pi);
   return other.vanishing && other.vanishing < one.vanishing.value_or(std::numbers::pi) ? other : one;
 }
 
-std::vector<RightingArm> float_of(const Subject& subject, const Moments& s) {
+std::vector<RightingArm> float_of(const Subject& subject, const Moments& s, const Control& control) {
   const Body& solid = subject.solid;
   const double volume = s[S1] * solid.density / setting(subject.config, "fluid_density", "", 1);
   const double submerged = hydrostatics(solid.local, bounding_box(solid.local).hi[2]).volume;
   if (!(volume < (1 - 1e-6) * submerged)) return {};  // nothing of it stays above the water
   const Afloat afloat{solid.local, centre_of_mass(s), volume};
   const double axis = hydrostatics(solid.local, waterline_of(solid.local, volume)).least_axis;
-  return {weaker_side(afloat, axis), weaker_side(afloat, axis + std::numbers::pi / 2)};
+  return {weaker_side(afloat, axis, control), weaker_side(afloat, axis + std::numbers::pi / 2, control)};
 }
 
 SimulatedBody look_at(const Subject& subject, const Moments& s, const Problem& problem,
-                      const Simulation& simulation) {
+                      const Simulation& simulation, const Control& control) {
   const double length = subject.solid.frame.length;
   SimulatedBody body;
   body.moments = s;
@@ -90,17 +89,18 @@ SimulatedBody look_at(const Subject& subject, const Moments& s, const Problem& p
   if (problem.name() == "stand")
     body.toppling = stand_of(subject, s);
   else if (problem.name() == "float")
-    body.righting = float_of(subject, s);
+    body.righting = float_of(subject, s, control);
   else
     body.spin = check_spin(s, length, simulation.spin);
   if (simulation.axle_mm > 0) body.fall = yoyo_fall(s, simulation.axle_mm / length);
-  stop_if_interrupted();
+  control.stop_if_asked();
   return body;
 }
 
 }  // namespace
 
-Simulation simulate(const Subject& subject, const SimulationSpec& spec, const device::Device& device) {
+Simulation simulate(const Subject& subject, const SimulationSpec& spec, const device::Device& device,
+                    const Control& control) {
   const RunConfig& config = subject.config;
   constexpr std::array<std::string_view, 5> simulated = {"spin", "top", "yoyo", "stand", "float"};
   if (std::ranges::find(simulated, config.problem) == simulated.end())
@@ -122,11 +122,11 @@ Simulation simulate(const Subject& subject, const SimulationSpec& spec, const de
     result.spin.contact = spec.contact.value_or(config.problem == "yoyo" ? Contact::free : Contact::gliding);
     if (result.spin.rpm == 0) result.spin.rpm = default_rpm(subject, result.spin.contact);
     if (spec.scan) result.spin.scan_rpm = scan_speeds(subject, result.spin.rpm);
-    result.spin.stop = interrupted;
+    result.spin.stop = [stop = control.stop] { return stop.stop_requested(); };
   }
   const auto problem = make_problem(config.problem, settings_of(config, "problem"), subject.solid);
-  result.solid = look_at(subject, subject.solid.solid, *problem, result);
-  result.part = look_at(subject, subject.part, *problem, result);
+  result.solid = look_at(subject, subject.solid.solid, *problem, result, control);
+  result.part = look_at(subject, subject.part, *problem, result, control);
   return result;
 }
 

@@ -1,13 +1,14 @@
 // simulation.hpp - the physical check: a solid and the part made of it, beside each other.
 #pragma once
 
+#include "control.hpp"
 #include "physics/righting_arm.hpp"
 #include "physics/spin_check.hpp"
 #include "physics/tilting_plane.hpp"
 #include "physics/yoyo_fall.hpp"
 #include "problem/problem.hpp"
-#include "run/provenance.hpp"
 #include "run/subject.hpp"
+#include "session/provenance.hpp"
 
 namespace kreisel {
 
@@ -46,6 +47,6 @@ struct Simulation {
 ///                      speed and no speed given
 /// @throws Interrupted  by Ctrl-C
 [[nodiscard]] Simulation simulate(const Subject& subject, const SimulationSpec& spec,
-                                  const device::Device& device);
+                                  const device::Device& device, const Control& control = {});
 
 }  // namespace kreisel

@@ -1,7 +1,7 @@
 // subject.hpp - what a simulation looks at: a solid and the part that was made of it.
 #pragma once
 
-#include "run/config.hpp"
+#include "session/config.hpp"
 
 namespace kreisel {
 

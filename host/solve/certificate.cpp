@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "control.hpp"
 #include "formulation/quadric.hpp"
 #include "solve/certify_spin.hpp"
-#include "solve/interrupt.hpp"
 #include "solve/moment.hpp"
 #include "stopwatch.hpp"
 
@@ -91,9 +91,9 @@ Certificate certify(const Problem& problem, const Rays& domain, const MassModel&
   const Stopwatch watch;
   const std::unique_ptr<Formulation> quadric = make_quadric(domain, {}, device);
   const SafeSupport support(domain, mass);
-  const Task task{problem, *quadric, mass, device};
+  const Task task{problem, *quadric, mass, device, options.stop};
   const Outcome outcome = solve(find_solver("moment", "quadric"), task, {});
-  stop_if_interrupted();
+  if (options.stop.stop_requested()) throw Interrupted();
 
   Certificate c;
   c.bound = -std::numeric_limits<double>::infinity();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,7 @@ struct CertifyOptions {
   double gap = 1e-3;      ///< stop when (best - bound) / |best| is no larger; > 0
   double seconds = 60;    ///< or when these are spent
   int most_boxes = 2000;  ///< or with this many
+  std::stop_token stop = {};
 };
 
 /// A lower bound on a problem's objective over all interiors of a domain, and what proves it: h(q) is the

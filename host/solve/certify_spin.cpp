@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "solve/interrupt.hpp"
+#include "control.hpp"
 
 namespace kreisel {
 namespace {
@@ -57,7 +57,7 @@ class Tree {
       : c_(certificate),
         problem_(problem),
         support_(support),
-        oracle_(*task.formulation.oracle(), task.mass, 0),
+        oracle_(*task.formulation.oracle(), task.mass, 0, options.stop),
         options_(options),
         tolerance_(search_tolerance(task.device)) {}
 
@@ -227,7 +227,7 @@ std::pair<SpinRegion, SpinRegion> Tree::halves(const CertifiedBox& box) const {
 
 void Tree::grow(const std::function<double()>& spent) {
   for (;;) {
-    stop_if_interrupted();
+    if (options_.stop.stop_requested()) throw Interrupted();
     const auto worst = std::ranges::min_element(nodes_, {}, [](const Node& n) { return n.box.value; });
     if (worst->box.value >= wanted()) return;
     if (!worst->solved) {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "solve/dual.hpp"
-#include "solve/interrupt.hpp"
 
 namespace kreisel {
 namespace {
@@ -74,7 +73,7 @@ class Mixture {
 }  // namespace
 
 RowDistance distance_to_rows(SupportOracle& domain, const MassModel& mass, const LinearConstraints& c,
-                             double relative, double least) {
+                             double relative, double least, std::stop_token stop) {
   TotalSupport oracle(domain, mass, 0);
   // The vertex of { C s - v } that is farthest against `direction`.
   const auto vertex = [&](const Vector& direction) -> Vector {
@@ -86,7 +85,7 @@ RowDistance distance_to_rows(SupportOracle& domain, const MassModel& mass, const
   RowDistance result;
   result.proved = -std::numeric_limits<double>::infinity();
   constexpr int most_steps = 500;
-  for (int step = 0; step < most_steps && !interrupted(); ++step) {
+  for (int step = 0; step < most_steps && !stop.stop_requested(); ++step) {
     const Vector x = mixture.point();
     result.attained = x.norm();
     if (result.attained <= least) break;

@@ -1,6 +1,8 @@
 // distance_to_rows.hpp - how far the attainable moments stay from what constraints ask for.
 #pragma once
 
+#include <stop_token>
+
 #include "formulation/support_oracle.hpp"
 #include "problem/problem.hpp"
 
@@ -20,6 +22,6 @@ struct RowDistance {
 /// @param constraints  rows with finite bounds on both sides, one or more
 [[nodiscard]] RowDistance distance_to_rows(SupportOracle& domain, const MassModel& mass,
                                            const LinearConstraints& constraints, double relative = 1e-3,
-                                           double least = 1e-7);
+                                           double least = 1e-7, std::stop_token stop = {});
 
 }  // namespace kreisel

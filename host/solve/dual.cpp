@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "solve/interrupt.hpp"
-
 namespace kreisel {
 
 Support TotalSupport::operator()(const Moments& q, bool with_hessian) {
@@ -70,6 +68,8 @@ class Dual {
     forms_ << model.factor, rows.matrix.transpose();
     offsets_ << model.target, rows.bound;
   }
+
+  [[nodiscard]] bool stopped() const { return oracle_.stopped(); }
 
   [[nodiscard]] Eigen::Index squares() const { return model_.factor.cols(); }
   [[nodiscard]] Eigen::Index size() const { return forms_.cols(); }
@@ -236,7 +236,7 @@ Newton Maximiser::run(Vector v, int patience) {
       at.ending = Newton::converged;
       return at;
     }
-    if (interrupted()) {
+    if (dual_.stopped()) {
       at.ending = Newton::interrupted;
       return at;
     }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "formulation/support_oracle.hpp"
@@ -13,10 +15,12 @@ namespace kreisel {
 class TotalSupport {
  public:
   /// @param level  see SupportOracle
-  TotalSupport(SupportOracle& oracle, const MassModel& mass, int level)
-      : oracle_(&oracle), mass_(&mass), level_(level) {}
+  /// @param stop   ends the searches that go by this oracle
+  TotalSupport(SupportOracle& oracle, const MassModel& mass, int level, std::stop_token stop = {})
+      : oracle_(&oracle), mass_(&mass), level_(level), stop_(std::move(stop)) {}
 
   [[nodiscard]] Support operator()(const Moments& q, bool with_hessian);
+  [[nodiscard]] bool stopped() const { return stop_.stop_requested(); }
   [[nodiscard]] int passes() const { return passes_; }
   [[nodiscard]] int hessian_passes() const { return hessian_passes_; }
 
@@ -24,6 +28,7 @@ class TotalSupport {
   SupportOracle* oracle_;
   const MassModel* mass_;
   int level_, passes_ = 0, hessian_passes_ = 0;
+  std::stop_token stop_;
 };
 
 /// Linear constraints c . s = b or c . s <= b, one a row.

@@ -180,12 +180,22 @@ Outcome solve(const Task& task, const SolverOptions& options, std::vector<std::u
   return next;
 }
 
+Outcome stopped_while_waiting(const Task& task, const SolverOptions& options) {
+  Outcome outcome;
+  outcome.termination = Termination::interrupted;
+  outcome.message = "stopped by the user while another solve ran";
+  outcome.x = options.from.empty() ? task.formulation.start(options.start) : options.from;
+  return outcome;
+}
+
 }  // namespace
 
 Outcome solve_with_ipopt(const Task& task, const SolverOptions& options) {
   // MUMPS of this version keeps its state in the library, and so does the hook for our linear solver.
-  static std::mutex one_at_a_time;
-  const std::scoped_lock lock(one_at_a_time);
+  static std::timed_mutex one_at_a_time;
+  std::unique_lock lock(one_at_a_time, std::defer_lock);
+  while (!lock.try_lock_for(std::chrono::milliseconds(50)))
+    if (task.stop.stop_requested()) return stopped_while_waiting(task, options);
   const Memory memory = available_memory();
   require_memory(task, memory);
   try {

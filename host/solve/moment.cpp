@@ -250,7 +250,7 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
   int fine_passes = 0;
   const int levels = std::min(own.levels, domain.levels());
   for (int level = levels - 1; level >= 0; --level) {
-    TotalSupport oracle(domain, task.mass, level);
+    TotalSupport oracle(domain, task.mass, level, task.stop);
     // The levels differ by far more than this.
     constexpr double coarse_tolerance = 1e-6;
     Search search(problem, oracle, level == 0 ? own.tolerance : coarse_tolerance, outcome.history);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "solve/central_path.hpp"
-#include "solve/interrupt.hpp"
 
 namespace kreisel {
 
@@ -65,7 +64,7 @@ bool Nlp::intermediate_callback(Ipopt::AlgorithmMode, Index iteration, Number ob
                                 Number inf_du, Number mu, Number, Number regularization, Number, Number,
                                 Index ls_trials, const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) {
   history_.push_back({iteration, objective, inf_pr, inf_du, mu, regularization, ls_trials});
-  return !interrupted();
+  return !task_.stop.stop_requested();
 }
 
 std::vector<double> Nlp::slopes(std::span<const double> x) const {

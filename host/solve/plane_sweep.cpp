@@ -8,7 +8,6 @@
 
 #include "error.hpp"
 #include "problem/stand.hpp"
-#include "solve/interrupt.hpp"
 #include "stopwatch.hpp"
 
 namespace kreisel {
@@ -113,7 +112,7 @@ Outcome solve_with_plane_sweep(const Task& task, const SolverOptions&) {
     const Moments s = sweep.moments();
     outcome.history.push_back({static_cast<int>(outcome.history.size()), task.problem.value(s),
                                violation(task.problem, s), 0, 0, 0, 0});
-  } while (!interrupted() && sweep.round());
+  } while (!task.stop.stop_requested() && sweep.round());
   for (std::size_t i = 0; i < x.size(); ++i)
     if (sweep.carved(i)) x[i] = 0;
   outcome.x = std::move(x);
@@ -125,7 +124,7 @@ Outcome solve_with_plane_sweep(const Task& task, const SolverOptions&) {
   outcome.evaluations.gradient = 1;
   outcome.solve_seconds = watch.seconds();
   outcome.kernel_seconds = task.device.kernel_seconds();
-  if (interrupted()) {
+  if (task.stop.stop_requested()) {
     outcome.termination = Termination::interrupted;
     outcome.message = "stopped by the user";
     return outcome;

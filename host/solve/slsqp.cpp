@@ -19,7 +19,6 @@
 
 #include "error.hpp"
 #include "parse.hpp"
-#include "solve/interrupt.hpp"
 #include "solve/nlp.hpp"
 #include "stopwatch.hpp"
 
@@ -61,7 +60,8 @@ class Functions {
  public:
   using Index = Nlp::Index;
 
-  Functions(Nlp& nlp, nlopt_opt opt, double reach) : nlp_(nlp), opt_(opt) {
+  Functions(Nlp& nlp, nlopt_opt opt, double reach, std::stop_token asked)
+      : stop(std::move(asked)), nlp_(nlp), opt_(opt) {
     Ipopt::TNLP::IndexStyleEnum style{};
     Index hessian = 0;
     nlp_.get_nlp_info(n_, m_, entries_, hessian, style);
@@ -142,6 +142,7 @@ class Functions {
     if (thrown_) std::rethrow_exception(thrown_);
   }
 
+  std::stop_token stop;
   std::vector<double> lower, upper, x;
   Sides equal{this}, below{this};
   std::vector<Iterate> history;
@@ -152,7 +153,7 @@ class Functions {
   template <class Work>
   void guarded(Work work) {
     const std::scoped_lock lock(asking_);
-    if (left_ || interrupted()) {
+    if (left_ || stop.stop_requested()) {
       nlopt_force_stop(opt_);
       return;
     }
@@ -202,7 +203,7 @@ struct Search {
       : nlp(make_direct_nlp(task,
                             options.from.empty() ? task.formulation.start(options.start) : options.from)),
         opt(create(*nlp)),
-        functions(*nlp, opt.get(), options.reach.value_or(1.0)) {
+        functions(*nlp, opt.get(), options.reach.value_or(1.0), task.stop) {
     require(nlopt_set_lower_bounds(opt.get(), functions.lower.data()));
     require(nlopt_set_upper_bounds(opt.get(), functions.upper.data()));
     require(nlopt_set_min_objective(opt.get(), Functions::objective, &functions));
@@ -243,7 +244,7 @@ Found optimise(const std::shared_ptr<Search>& search) {
   std::future<Found> found = work.get_future();
   std::thread thread(std::move(work));
   while (found.wait_for(std::chrono::milliseconds(50)) == std::future_status::timeout)
-    if (interrupted()) {
+    if (search->functions.stop.stop_requested()) {
       search->functions.leave();
       thread.detach();
       return {NLOPT_FORCED_STOP, search->functions.x};

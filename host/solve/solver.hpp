@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -83,6 +84,7 @@ struct Task {
   Formulation& formulation;
   const MassModel& mass;
   device::Device& device;
+  std::stop_token stop = {};  ///< ends the solve as interrupted
 };
 
 struct SolverOptions {

@@ -18,9 +18,8 @@ class AbsentFiles : public testing::Test {
   AbsentFiles() {
     options_.results = folder_.path / "runs";
     options_.log = log_.get();
-    hooks_.interrupted = [] { return false; };
     hooks_.provenance = [](const ExperimentRun&) { return Provenance{}; };
-    hooks_.nest = [this](const NestConfig& config, const Progress&) {
+    hooks_.nest = [this](const NestConfig& config, const Control&) {
       ran_.push_back(config.outer);
       NestResult result;
       result.config = config;
@@ -97,10 +96,10 @@ TEST_F(AbsentFiles, AreRunOnceTheyAreInTheFolderUnderTheSameRecord) {
 }
 
 TEST_F(AbsentFiles, OfSolvesAndMapsAreSkippedAsWell) {
-  hooks_.run = [](const RunConfig&, const std::string&, const Progress&) -> RunOutput {
+  hooks_.run = [](const RunConfig&, const std::string&, const Control&) -> RunOutput {
     throw std::runtime_error("a run without its mesh");
   };
-  hooks_.map = [](const RunConfig&, const Progress&) -> OrientationMap {
+  hooks_.map = [](const RunConfig&, const Control&) -> OrientationMap {
     throw std::runtime_error("a map without its mesh");
   };
   for (const char* text :

@@ -40,9 +40,8 @@ class NestExperiment : public testing::Test {
   NestExperiment() {
     options_.results = folder_.path;
     options_.log = log_.get();
-    hooks_.interrupted = [] { return false; };
     hooks_.provenance = [](const ExperimentRun&) { return Provenance{}; };
-    hooks_.nest = [this](const NestConfig& config, const Progress&) {
+    hooks_.nest = [this](const NestConfig& config, const Control&) {
       ran_.push_back(run_name(config));
       return found(config, 0.5 + 0.01 * static_cast<double>(config.search.swarm.seed));
     };
@@ -87,18 +86,18 @@ TEST_F(NestExperiment, RunsRecordsAndSkipsNestings) {
 
 TEST_F(NestExperiment, RecordsWhatFailsAndRunsItAgain) {
   experiment_ = parse_experiment("table = 'nestings'\n[[run]]\nouter = 'bear'", "t.toml");
-  hooks_.nest = [](const NestConfig&, const Progress&) -> NestResult {
+  hooks_.nest = [](const NestConfig&, const Control&) -> NestResult {
     throw InputError("outer mesh gapes; expected less");
   };
   EXPECT_EQ(run_experiment(experiment_, options_, hooks_).failed, 1);
   EXPECT_NE(table().find("error - outer mesh gapes"), std::string::npos) << table();
-  hooks_.nest = [](const NestConfig& config, const Progress&) { return found(config, 0.5); };
+  hooks_.nest = [](const NestConfig& config, const Control&) { return found(config, 0.5); };
   EXPECT_EQ(run_experiment(experiment_, options_, hooks_).done, 1);
 }
 
 TEST_F(NestExperiment, LeavesNoRecordOfWhatTheUserStopped) {
   experiment_ = parse_experiment("table = 'nestings'\n[[run]]\nouter = 'bear'\nfree = 'all'", "t.toml");
-  hooks_.nest = [](const NestConfig& config, const Progress&) {
+  hooks_.nest = [](const NestConfig& config, const Control&) {
     NestResult result = found(config, 0.5);
     result.ending = NestResult::Ending::interrupted;
     return result;
@@ -112,7 +111,7 @@ TEST_F(NestExperiment, SetsOutSettingsOverTheirSeeds) {
       "table = 'nest-variants'\nouter = 'bear'\nfree = 'all'\nseed = [1, 2, 3]\n[[run]]\ntopology = "
       "['von-neumann', 'ring']\n[[run]]\nclimbs = 0",
       "t.toml");
-  hooks_.nest = [](const NestConfig& config, const Progress&) {
+  hooks_.nest = [](const NestConfig& config, const Control&) {
     const double seed = static_cast<double>(config.search.swarm.seed);
     if (config.search.climbs == 0) return found(config, seed > 1 ? 0.3 : 0);
     return found(config, (config.search.swarm.topology == nest::Topology::ring ? 0.6 : 0.5) + 0.01 * seed);
@@ -134,7 +133,7 @@ TEST_F(NestExperiment, CountsTheSeedsThatReachWhatAPaperDoes) {
       "[1, 2, "
       "3]",
       "t.toml");
-  hooks_.nest = [](const NestConfig& config, const Progress&) {
+  hooks_.nest = [](const NestConfig& config, const Control&) {
     return found(config,
                  0.6 + 0.0049 * static_cast<double>(config.search.swarm.seed));  // 0.6049 0.6098 0.6147
   };

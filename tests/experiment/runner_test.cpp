@@ -44,13 +44,12 @@ class Runner : public testing::Test {
   Runner() {
     options.results = folder.path / "runs";
     options.log = log.get();
-    hooks.run = [this](const RunConfig& config, const std::string& mesh, const Progress& progress) {
+    hooks.run = [this](const RunConfig& config, const std::string& mesh, const Control& control) {
       ran.push_back(run_name(config));
-      progress("solve");
+      control.tell("solve");
       if (!mesh.empty()) std::ofstream(mesh) << "solid";
       return RunOutput{finished(config), {}, {}};
     };
-    hooks.interrupted = [] { return false; };
     hooks.provenance = [](const ExperimentRun&) { return Provenance{}; };
   }
 
@@ -68,8 +67,8 @@ class Runner : public testing::Test {
   template <class Act>
   void when(std::size_t i, Act act) {
     hooks.run = [this, i, act, usual = hooks.run](const RunConfig& config, const std::string& mesh,
-                                                  const Progress& progress) {
-      RunOutput output = usual(config, mesh, progress);
+                                                  const Control& control) {
+      RunOutput output = usual(config, mesh, control);
       if (run_name(config) == run_name(experiment.runs[i].config)) act(output.result);
       return output;
     };
@@ -157,10 +156,10 @@ TEST_F(Runner, StopsAtAnInterruptedRunKeepingWhatIsDone) {
 }
 
 TEST_F(Runner, DoesNotBlameARunThatThrewWhenInterrupted) {
-  bool stop = false;
-  hooks.interrupted = [&] { return stop; };
+  std::stop_source stop;
+  hooks.stop = stop.get_token();
   when(1, [&](RunResult&) {
-    stop = true;
+    stop.request_stop();
     throw std::runtime_error("torn apart");
   });
   const RunCounts counts = run();
@@ -170,7 +169,9 @@ TEST_F(Runner, DoesNotBlameARunThatThrewWhenInterrupted) {
 }
 
 TEST_F(Runner, StartsNothingOnceInterrupted) {
-  hooks.interrupted = [] { return true; };
+  std::stop_source stop;
+  hooks.stop = stop.get_token();
+  stop.request_stop();
   EXPECT_TRUE(run().interrupted);
   EXPECT_TRUE(ran.empty());
 }
@@ -243,7 +244,7 @@ TEST_F(Runner, RecordsMapsSkipsThemAndSetsThemOutInATable) {
   experiment =
       parse_experiment("table = 'maps'\n[[run]]\nthrough = ['lowest', 'centre']\naxes = 2", "trial.toml");
   int maps = 0;
-  hooks.map = [&](const RunConfig& config, const Progress&) {
+  hooks.map = [&](const RunConfig& config, const Control&) {
     if (++maps == 2) throw InputError("no interior left; expected a thinner wall");
     return two_axes(config);
   };
@@ -273,7 +274,7 @@ TEST_F(Runner, RecordsMapsSkipsThemAndSetsThemOutInATable) {
 
 TEST_F(Runner, LeavesNoRecordOfAMapThatTheUserStopped) {
   experiment = parse_experiment("table = 'maps'\n[[run]]\naxes = 2", "trial.toml");
-  hooks.map = [](const RunConfig& config, const Progress&) { return two_axes(config, 1); };
+  hooks.map = [](const RunConfig& config, const Control&) { return two_axes(config, 1); };
   const RunCounts counts = run();
   EXPECT_TRUE(counts.interrupted);
   EXPECT_EQ(counts.done, 0);
@@ -333,9 +334,9 @@ TEST_F(Runner, DoesNotTimeAgainWhatUsedUpItsSeconds) {
 
 TEST_F(Runner, LeavesNoRecordOfARunInterruptedBetweenTwoTimedSolves) {
   experiment.runs[0].config.repeat = 2;
-  bool asked = false;
-  hooks.interrupted = [&] { return asked; };
-  when(0, [&](RunResult&) { asked = true; });
+  std::stop_source stop;
+  hooks.stop = stop.get_token();
+  when(0, [&](RunResult&) { stop.request_stop(); });
   const RunCounts counts = run();
   EXPECT_TRUE(counts.interrupted);
   EXPECT_EQ(counts.done, 0);

@@ -1,7 +1,7 @@
 // bad_input_test.cpp - sizes, budgets and coincidences at their ends.
 #include <gtest/gtest.h>
 
-#include "known_answers.hpp"
+#include "nest/known_answers.hpp"
 #include "nest/search/optimise.hpp"
 #include "refusal.hpp"
 #include "test_device.hpp"

@@ -21,7 +21,6 @@ class NestRecord : public testing::Test {
     write_mesh(folder_.path / "ball.off", {nest::ball(6)});
     config_.outer = (folder_.path / "egg.off").string();
     config_.inner = (folder_.path / "ball.off").string();
-    hooks_.interrupted = [] { return false; };
   }
   void search() {
     for (const auto& [name, value] : {std::pair{"free", "all"},
@@ -111,7 +110,11 @@ TEST_F(NestRecord, ASearchGoesOnFromACheckpointAsIfItHadNeverStopped) {
   for (const int stop : {1, 6, 17}) {  // in the swarm, after a restart, in the climb
     int asked = 0;
     NestHooks stopping;
-    stopping.interrupted = [&] { return ++asked >= stop; };
+    std::stop_source source;
+    stopping.control = {source.get_token(), [&](const std::string& step) {
+                          const bool one = step.starts_with("iteration") || step.starts_with("refining");
+                          if (one && ++asked >= stop) source.request_stop();
+                        }};
     stopping.keep = [&](const NestCheckpoint& checkpoint) { write_checkpoint(file(), checkpoint); };
     const NestResult part = run_nest(config_, stopping);
     EXPECT_EQ(part.ending, NestResult::Ending::interrupted);

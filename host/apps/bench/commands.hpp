@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "apps/shared/exit_code.hpp"
-#include "run/config.hpp"
 #include "run/simulation.hpp"
+#include "session/config.hpp"
 
 namespace kreisel::bench {
 

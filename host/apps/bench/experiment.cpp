@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "apps/bench/commands.hpp"
+#include "apps/shared/program.hpp"
 #include "apps/shared/outputs.hpp"
 #include "body/source.hpp"
 #include "error.hpp"
@@ -65,7 +66,9 @@ int run_experiment(const ExperimentOptions& options) {
     fmt::print("{}", dry_run(experiment, runner));
     return done;
   }
-  const RunCounts counts = kreisel::run_experiment(experiment, runner);
+  RunnerHooks hooks;
+  hooks.stop = interruption();
+  const RunCounts counts = kreisel::run_experiment(experiment, runner, hooks);
 
   const std::vector<RecordedRun> runs = collect(experiment, runner.results);
   fmt::print("{}", table_text(experiment, runs));

@@ -10,7 +10,7 @@
 #include "apps/shared/program.hpp"
 #include "apps/shared/run_options.hpp"
 #include "error.hpp"
-#include "run/build_info.hpp"
+#include "session/build_info.hpp"
 
 namespace {
 

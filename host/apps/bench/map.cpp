@@ -7,8 +7,7 @@
 #include "apps/shared/step_line.hpp"
 #include "record/map_record.hpp"
 #include "record/record.hpp"
-#include "run/orientation_map.hpp"
-#include "solve/interrupt.hpp"
+#include "session/orientation_map.hpp"
 
 namespace kreisel::bench {
 namespace {
@@ -60,7 +59,8 @@ int map_model(const MapOptions& options) {
   OrientationMap map;
   {
     const StepLine line;
-    map = map_orientations(spec, [&](const std::string& step) { line.show(step); });
+    Session session;
+    map = map_orientations(session, spec, line.control());
   }
   if (!options.record_file.empty()) write_map(options.record_file, map);
   const std::string json = to_json(map).dump(2) + "\n";

@@ -104,7 +104,7 @@ int nest_shapes(const NestOptions& options) {
   NestResult result;
   {
     const StepLine line;
-    hooks.progress = [&](const std::string& step) { line.show(step); };
+    hooks.control = line.control();
     result = run_nest(config, hooks);
   }
   if (!options.record_file.empty()) write_nest(options.record_file, result);

@@ -9,8 +9,7 @@
 #include "fabricate/write_halves.hpp"
 #include "mesh/io/format.hpp"
 #include "record/record.hpp"
-#include "run/pipeline.hpp"
-#include "solve/interrupt.hpp"
+#include "session/pipeline.hpp"
 
 namespace kreisel::bench {
 namespace {
@@ -112,7 +111,7 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
 
 RunOutput run_showing_steps(const OnceOptions& options) {
   const StepLine line;
-  return run(options.config, options.mesh_file, [&](const std::string& step) { line.show(step); });
+  return run(options.config, options.mesh_file, line.control());
 }
 
 }  // namespace
@@ -137,7 +136,8 @@ int run_once(const OnceOptions& options) {
     for (const std::filesystem::path& file : halves) fmt::print("  part       {}\n", file.string());
   }
   const bool cut_short = result.samples.size() < static_cast<std::size_t>(options.config.repeat);
-  return cut_short && interrupted() ? was_interrupted : exit_code(result.outcome.termination);
+  return cut_short && interruption().stop_requested() ? was_interrupted
+                                                      : exit_code(result.outcome.termination);
 }
 
 }  // namespace kreisel::bench

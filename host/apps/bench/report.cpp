@@ -22,7 +22,7 @@
 #include "experiment/table.hpp"
 #include "record/record.hpp"
 #include "record/simulation_record.hpp"
-#include "run/build_info.hpp"
+#include "session/build_info.hpp"
 
 extern char** environ;
 

@@ -142,7 +142,7 @@ Simulation simulated(const SimulateOptions& options) {
   const Subject subject = options.record.empty() ? subject_of_mesh(options.config, device)
                                                  : subject_of_record(options.record, device);
   line.show("simulate");
-  return simulate(subject, options.spec, device);
+  return simulate(subject, options.spec, device, line.control());
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace kreisel::bench {
 
-/// @param give  takes a field of a run and its text (run/config.hpp)
+/// @param give  takes a field of a run and its text (session/config.hpp)
 void add_simulate_options(CLI::App& app, SimulateOptions& simulate,
                           const std::function<void(const std::string& field, const std::string& text)>& give);
 

@@ -14,7 +14,7 @@
 #include "design/page.hpp"
 #include "error.hpp"
 #include "file/write_text.hpp"
-#include "run/build_info.hpp"
+#include "session/build_info.hpp"
 
 namespace {
 
@@ -85,7 +85,7 @@ int make(Parsed& parsed, const std::string& problem) {
   parsed.spec.file = outputs.part;
   const kreisel::Design design = [&] {
     const StepLine line;
-    return make_design(parsed.spec, [&](const std::string& step) { line.show(step); });
+    return make_design(parsed.spec, line.control());
   }();
   if (!outputs.html.empty() && design.feasible()) kreisel::write_text(outputs.html, page_of(design, three));
   if (outputs.write_report(to_json(design))) print_design(design);

@@ -85,7 +85,7 @@ int nest_parts(NestArguments& arguments) {
   const std::string three = arguments.outputs.html.empty() ? "" : installed_three();
   const Nested nested = [&] {
     const StepLine line;
-    return make_nested(spec, [&](const std::string& step) { line.show(step); });
+    return make_nested(spec, line.control());
   }();
   if (!arguments.outputs.html.empty() && nested.feasible())
     write_text(arguments.outputs.html, page_of(nested, three));

@@ -13,15 +13,26 @@
 
 #include "apps/shared/exit_code.hpp"
 #include "apps/shared/outputs.hpp"
+#include "control.hpp"
 #include "error.hpp"
 #include "memory.hpp"
 #include "nearest.hpp"
-#include "solve/interrupt.hpp"
 
 namespace kreisel::apps {
 namespace {
 
 const char* program_name = "";  // a handler of terminate has no argument to get it by
+
+std::stop_source& interruptions() {
+  static std::stop_source source;
+  return source;
+}
+
+/// Nobody registers a callback with this source, so that to ask is no more than an atomic operation.
+extern "C" void on_signal(int number) {
+  interruptions().request_stop();
+  std::signal(number, SIG_DFL);
+}
 
 /// Prints the one line of an error. @return  the code
 int say(std::string_view what, int code) {
@@ -74,6 +85,8 @@ int run(int (*dispatch)(int, char**), int argc, char** argv) {
 
 }  // namespace
 
+std::stop_token interruption() { return interruptions().get_token(); }
+
 std::string explained(const CLI::App& app, const CLI::ParseError& error) {
   const std::string help = fmt::format("({} --help lists the options)", app.get_name());
   const CLI::App* used = app.get_subcommands().empty() ? &app : app.get_subcommands().front();
@@ -98,7 +111,9 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error) {
 
 void run_program(const char* name, int (*dispatch)(int, char**), int argc, char** argv) {
   program_name = name;
-  catch_interrupts();
+  (void)interruptions();  // made ahead of any signal
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
   std::set_terminate(on_terminate);
   // A file that may not grow fails as on a full disk: the write says so and what is begun is removed.
   std::signal(SIGXFSZ, SIG_IGN);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "run/config.hpp"
+#include "session/config.hpp"
 
 namespace kreisel::apps {
 

@@ -7,6 +7,9 @@
 #include <cstdio>
 #include <string>
 
+#include "apps/shared/program.hpp"
+#include "control.hpp"
+
 namespace kreisel::apps {
 
 /// The step under way, on a terminal; the line is taken back in the end, also ahead of an error.
@@ -17,6 +20,10 @@ class StepLine {
   StepLine& operator=(const StepLine&) = delete;
   ~StepLine() {
     if (terminal_) fmt::print(stderr, "\r\033[K");
+  }
+  /// For work that the user may stop. @pre  outlives it
+  [[nodiscard]] Control control() const {
+    return {interruption(), [this](const std::string& step) { show(step); }};
   }
   void show(const std::string& step) const {
     if (terminal_) fmt::print(stderr, "\r\033[K{} ...", step);

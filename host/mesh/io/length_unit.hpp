@@ -9,6 +9,8 @@ namespace kreisel {
 struct LengthUnit {
   std::string_view name;  ///< as users write it
   double millimetres;
+
+  bool operator==(const LengthUnit&) const = default;
 };
 
 /// Every unit that a user may name: mm, cm, m, in.

@@ -65,7 +65,7 @@ SampledError summary(int resolution, std::vector<double> errors, int missed, dou
 }  // namespace
 
 Accuracy compare(device::Device& device, const Nesting& nesting, int placements,
-                 const std::vector<int>& resolutions, std::uint64_t seed, bool (*stop)()) {
+                 const std::vector<int>& resolutions, std::uint64_t seed, const std::stop_token& stop) {
   Accuracy out;
   Draw draw(seed);
   Hybrid hybrid(nesting);
@@ -79,7 +79,7 @@ Accuracy compare(device::Device& device, const Nesting& nesting, int placements,
   std::vector<int> missed(resolutions.size());
   SearchLimits limits;
   limits.upper = nesting.largest_scale();
-  for (int k = 0; k < placements && !stop(); ++k) {
+  for (int k = 0; k < placements && !stop.stop_requested(); ++k) {
     Placement placement = draw(nesting);
     ++out.placements;
     const double scale = hybrid.search(placement, limits).scale;

@@ -1,6 +1,7 @@
 // accuracy.hpp - how far are sampled answers from exact ones?
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "nest/decide/scale_search.hpp"
@@ -30,8 +31,9 @@ struct Accuracy {
 /// Draws placements (turned anyhow, centroids in the middle half of A's box, oblique cuts and removals) and
 /// searches each by `hybrid` and, by bisection, by `envelope` at every resolution; a tenth of them are
 /// peeled, too.
-/// @param stop  asked before each placement: true ends it, and what was found so far is returned
+/// @param stop  asked before each placement; what was found so far is returned
 [[nodiscard]] Accuracy compare(device::Device& device, const Nesting& nesting, int placements,
-                               const std::vector<int>& resolutions, std::uint64_t seed, bool (*stop)());
+                               const std::vector<int>& resolutions, std::uint64_t seed,
+                               const std::stop_token& stop);
 
 }  // namespace kreisel::nest

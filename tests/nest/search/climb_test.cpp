@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "known_objectives.hpp"
+#include "nest/known_objectives.hpp"
 #include "refusal.hpp"
 
 namespace kreisel::nest {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "known_answers.hpp"
+#include "nest/known_answers.hpp"
 #include "mesh/shapes.hpp"
 #include "nest/decide/exact.hpp"
 #include "refusal.hpp"

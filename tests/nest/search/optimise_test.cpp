@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "known_answers.hpp"
+#include "nest/known_answers.hpp"
 #include "mesh/query/surface_rays.hpp"
 #include "nest/decide/exact.hpp"
 #include "refusal.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "known_answers.hpp"
+#include "nest/known_answers.hpp"
 #include "nest/inside_ball.hpp"
 #include "refusal.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "known_objectives.hpp"
+#include "nest/known_objectives.hpp"
 #include "refusal.hpp"
 
 namespace kreisel::nest {

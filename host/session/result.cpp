@@ -1,4 +1,4 @@
-#include "run/result.hpp"
+#include "session/result.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "run/orientation_map.hpp"
+#include "session/orientation_map.hpp"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,7 @@
 
 #include "error.hpp"
 #include "problem/turned.hpp"
-#include "run/run_domain.hpp"
 #include "solve/distance_to_rows.hpp"
-#include "solve/interrupt.hpp"
 #include "stopwatch.hpp"
 
 namespace kreisel {
@@ -36,10 +34,11 @@ struct Sweep {
   const MassModel& mass;
   device::Device& device;
   double length_mm;
+  const Control& control;
 
   /// @return  nothing when the user stopped it
   [[nodiscard]] std::optional<MapAnswer> answer(const Problem& problem) const {
-    const Task task{problem, formulation, mass, device};
+    const Task task{problem, formulation, mass, device, control.stop};
     const Outcome outcome = solve(solver, task, options);
     MapAnswer result;
     result.objective = result.miss = nan;
@@ -57,13 +56,14 @@ struct Sweep {
       case Termination::failed:
         break;
     }
-    const RowDistance distance = distance_to_rows(*formulation.oracle(), mass, problem.constraints());
+    const RowDistance distance =
+        distance_to_rows(*formulation.oracle(), mass, problem.constraints(), 1e-3, 1e-7, control.stop);
     // Below this nobody could tell; a solver that gave up may have had only its own difficulties.
     constexpr double least = 1e-6;
     if (outcome.termination == Termination::infeasible || distance.proved > least)
       result.status = MapAnswer::infeasible;
     result.miss = distance.attained;
-    if (interrupted()) return std::nullopt;  // it stopped early
+    if (control.stopped()) return std::nullopt;  // it stopped early
     return result;
   }
 };
@@ -165,10 +165,7 @@ std::string OrientationMap::command(Place place) const {
                             upright ? "up" : "axis", a[0], a[1], a[2], p[0], p[1], p[2]);
 }
 
-OrientationMap map_orientations(const MapSpec& spec, const Progress& progress) {
-  const auto tell = [&](const std::string& step) {
-    if (progress) progress(step);
-  };
+OrientationMap map_orientations(Session& session, const MapSpec& spec, const Control& control) {
   const Stopwatch setup;
   const ProblemEntry& asked = find_problem(spec.config.problem);
   if (asked.name != "spin" && asked.name != "float")
@@ -192,23 +189,11 @@ OrientationMap map_orientations(const MapSpec& spec, const Progress& progress) {
   // directions across the rays above all, where a plane turns whole rays on and off.
   options.own = {{"tolerance", "1e-8"}};
   for (const auto& [name, value] : settings_of(map.config, map.config.solver)) options.own[name] = value;
-  device::Device device(map.config.device, map.config.single_precision ? device::Precision::single
-                                                                       : device::Precision::automatic);
-  tell("set-up");
-  BodySpec body_spec = map.config.body;
-  body_spec.stands_upright = asked.upright;
-  const Body body = make_body(body_spec, device);
-  stop_if_interrupted();
-  const RunDomain domain(map.config, body);
-  stop_if_interrupted();
-  const Rays rays = domain.rays();
-  const MassModel mass = hollowed(body, domain.interior());
-  const std::unique_ptr<Formulation> formulation =
-      make_quadric(rays, settings_of(map.config, "formulation"), device);
-  formulation->warm_up();
-  stop_if_interrupted();
+  const Stages stages = session.stages(map.config, control);
+  const Body& body = *stages.body;
+  const RunDomain& domain = *stages.domain;
 
-  map.provenance = make_provenance(device);
+  map.provenance = session.provenance();
   map.body_name = body.name;
   map.length_mm = body.frame.length;
   map.mass_unit_grams = body.mass_grams();
@@ -216,20 +201,21 @@ OrientationMap map_orientations(const MapSpec& spec, const Progress& progress) {
   map.domain = domain.kind();
   map.grid = domain.grid();
   map.wall = domain.wall();
-  map.rays = rays.columns.size();
+  map.rays = domain.rays().columns.size();
   map.setup_seconds = setup.seconds();
 
   const Stopwatch sweeping;
-  const Sweep sweep{solver, options, *formulation, mass, device, body.frame.length};
+  const Sweep sweep{solver, options, *stages.formulation, stages.mass, *stages.device, body.frame.length,
+                    control};
   const std::size_t n = spec.axes.size(), step = even_step(n);
   std::vector<std::vector<MapAnswer>> answers(n);  // empty: not done
   std::vector<Vec3> contacts(n);
   ProblemSettings settings = settings_of(map.config, "problem");
   Body turned = body;
   Stopwatch told;
-  for (std::size_t k = 0; k < n && !interrupted(); ++k) {
+  for (std::size_t k = 0; k < n && !control.stopped(); ++k) {
     if (k == 0 || told.seconds() > 0.1) {
-      tell(fmt::format("axis {} of {}", k + 1, n));
+      control.tell(fmt::format("axis {} of {}", k + 1, n));
       told = {};
     }
     const std::size_t i = k * step % n;

@@ -1,4 +1,4 @@
-#include "run/orientation_map.hpp"
+#include "session/orientation_map.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,16 @@
 #include "body/test_meshes.hpp"
 #include "error.hpp"
 #include "mesh/io/write.hpp"
+#include "session/pipeline.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel {
 namespace {
+
+OrientationMap map_of(const MapSpec& spec) {
+  Session session;
+  return map_orientations(session, spec);
+}
 
 class Map : public ::testing::Test {
  protected:
@@ -61,8 +67,8 @@ TEST_F(Map, AlongTheDomainsOwnAxisIsThePlainRun) {
     const bool floats = config.problem == "float";
     if (floats) config.settings["problem.draft"] = "60%";
     const RunResult plain = run(config).result;
-    const OrientationMap map = map_orientations(
-        {config, {plain.axis}, floats ? std::vector<std::string>{"60%"} : std::vector<std::string>{}});
+    const OrientationMap map =
+        map_of({config, {plain.axis}, floats ? std::vector<std::string>{"60%"} : std::vector<std::string>{}});
     ASSERT_EQ(map.axes.size(), 1u);
     ASSERT_LE((map.contacts[0] - plain.contact).norm(), 1e-9);
     ASSERT_EQ(plain.outcome.termination, Termination::optimal) << problem;
@@ -80,10 +86,10 @@ TEST_F(Map, AlongTheDomainsOwnAxisIsThePlainRun) {
 TEST_F(Map, OfACubeIsThatOfACube) {
   RunConfig config = box({40, 40, 40});
   config.domain = "columns";  // alike on all sides; exact rays end at the wall above and below alone
-  const OrientationMap map = map_orientations(
-      {config,
-       {Vec3::UnitZ(), -Vec3::UnitZ(), Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitY(), -Vec3::UnitY()},
-       {}});
+  const OrientationMap map =
+      map_of({config,
+              {Vec3::UnitZ(), -Vec3::UnitZ(), Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitY(), -Vec3::UnitY()},
+              {}});
   ASSERT_EQ(map.answers.size(), 6u);
   const double f = map.at(0, 0).objective;
   for (std::size_t a = 0; a < 6; ++a) {
@@ -108,7 +114,7 @@ TEST_F(Map, AgreesWithRunsWhoseGridIsTurned) {
   config.formulation = "quadric";
   config.solver = "moment";
   const Vec3 near[] = {{0.1, 0, 1}, {0, -0.15, 1}, {0.1, 0.1, -1}};
-  const OrientationMap map = map_orientations({config, {near[0], near[1], near[2]}, {}});
+  const OrientationMap map = map_of({config, {near[0], near[1], near[2]}, {}});
   std::size_t compared = 0;
   for (std::size_t a = 0; a < 3; ++a) {
     RunConfig turned = config;
@@ -128,7 +134,7 @@ TEST_F(Map, AgreesWithRunsWhoseGridIsTurned) {
 TEST_F(Map, SaysWhereNoInteriorWillDoAndByHowMuch) {
   // A little off the face's normal the box stands on a corner, far beside anything that can be its centre.
   const OrientationMap map =
-      map_orientations({box({40, 30, 24}), {Vec3::UnitZ(), Vec3(0.06, 0.06, 1), Vec3(0.03, 0.03, 1)}, {}});
+      map_of({box({40, 30, 24}), {Vec3::UnitZ(), Vec3(0.06, 0.06, 1), Vec3(0.03, 0.03, 1)}, {}});
   EXPECT_EQ(map.at(0, 0).status, MapAnswer::feasible);
   for (const std::size_t a : {1u, 2u}) {
     const MapAnswer& answer = map.at(a, 0);
@@ -147,7 +153,7 @@ TEST_F(Map, SaysWhereNoInteriorWillDoAndByHowMuch) {
 TEST_F(Map, ThroughTheCentreOfMassRunsOnAPegThatReachesTheGround) {
   MapSpec spec{box({40, 30, 24}), {Vec3::UnitZ(), Vec3(0.06, 0.06, 1), Vec3(1, 2, 3)}, {}};
   spec.through = Through::centre;
-  const OrientationMap map = map_orientations(spec);
+  const OrientationMap map = map_of(spec);
   for (std::size_t a = 0; a < 3; ++a) {
     const Vec3& n = map.axes[a];
     // The centre is the model's origin; the lowest corner has the signs of -n.
@@ -173,7 +179,7 @@ TEST_F(Map, OfABargeFloatsOnEverySideAsTheBookSays) {
     config.problem = "float";
     config.body.density = 0.8;
     config.body.up = side.up;
-    const OrientationMap map = map_orientations({config, {side.up, -side.up}, {"65%", "80%"}});
+    const OrientationMap map = map_of({config, {side.up, -side.up}, {"65%", "80%"}});
     EXPECT_EQ(map.cases, (std::vector<std::string>{"65%", "80%"}));
     for (std::size_t a = 0; a < 2; ++a)
       for (std::size_t c = 0; c < 2; ++c) {
@@ -195,8 +201,7 @@ TEST_F(Map, OfAFloatingBodyAgreesWithRunsWhoseGridIsTurned) {
   config.grid.resolution = 48;
   config.problem = "float";
   config.body.density = 0.8;
-  const OrientationMap map =
-      map_orientations({config, {{0.3, 0.1, 1}, {0.2, 1, -0.4}, {-1, 0.2, 0.3}}, {"60%"}});
+  const OrientationMap map = map_of({config, {{0.3, 0.1, 1}, {0.2, 1, -0.4}, {-1, 0.2, 0.3}}, {"60%"}});
   for (std::size_t a = 0; a < 3; ++a) {
     RunConfig turned = config;
     turned.body.up = map.axes[a];
@@ -212,13 +217,13 @@ TEST_F(Map, OfAFloatingBodyAgreesWithRunsWhoseGridIsTurned) {
 
 TEST_F(Map, RefusesWhatItCannotMap) {
   RunConfig config = box({40, 20, 12});
-  EXPECT_THROW((void)map_orientations({config, {}, {}}), InputError);
-  EXPECT_THROW((void)map_orientations({config, {Vec3::Zero()}, {}}), InputError);
-  EXPECT_THROW((void)map_orientations({config, {Vec3::UnitZ()}, {"50%"}}), InputError);
+  EXPECT_THROW((void)map_of({config, {}, {}}), InputError);
+  EXPECT_THROW((void)map_of({config, {Vec3::Zero()}, {}}), InputError);
+  EXPECT_THROW((void)map_of({config, {Vec3::UnitZ()}, {"50%"}}), InputError);
   config.problem = "float";
-  EXPECT_THROW((void)map_orientations({config, {Vec3::UnitZ()}, {}}), InputError);
+  EXPECT_THROW((void)map_of({config, {Vec3::UnitZ()}, {}}), InputError);
   config.problem = "stand";
-  EXPECT_THROW((void)map_orientations({config, {Vec3::UnitZ()}, {}}), InputError);
+  EXPECT_THROW((void)map_of({config, {Vec3::UnitZ()}, {}}), InputError);
 }
 
 }  // namespace

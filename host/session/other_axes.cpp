@@ -1,4 +1,4 @@
-#include "design/other_axes.hpp"
+#include "session/other_axes.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "physics/units.hpp"
-#include "run/orientation_map.hpp"
+#include "session/orientation_map.hpp"
 
 namespace kreisel {
 namespace {
@@ -19,7 +19,7 @@ std::string options_of(const OrientationMap& map, std::size_t axis) {
 
 }  // namespace
 
-std::string other_axes(const RunConfig& config, const Vec3& asked, const Progress& progress) {
+std::string other_axes(Session& session, const RunConfig& config, const Vec3& asked, const Control& control) {
   RunConfig coarse = config;
   coarse.grid = {};
   coarse.grid.resolution = 48;
@@ -28,7 +28,7 @@ std::string other_axes(const RunConfig& config, const Vec3& asked, const Progres
   coarse.body.contact.reset();
   coarse.map.emplace();
   coarse.map->axes = 500;
-  const OrientationMap map = map_orientations(map_spec(coarse), progress);
+  const OrientationMap map = map_orientations(session, map_spec(coarse), control);
   const std::size_t good = map.count_ok(0);
   if (good == 0)
     return fmt::format("none of {} axes through the lowest point will do either", map.axes.size());

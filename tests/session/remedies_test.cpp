@@ -1,4 +1,4 @@
-#include "run/remedies.hpp"
+#include "session/remedies.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "run/provenance.hpp"
+#include "session/provenance.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include <fstream>
 #include <thread>
 
-#include "run/build_info.hpp"
+#include "session/build_info.hpp"
 #include "solve/ipopt.hpp"
 
 namespace kreisel {

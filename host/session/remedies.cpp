@@ -1,4 +1,4 @@
-#include "run/remedies.hpp"
+#include "session/remedies.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +12,6 @@
 #include "domain/exact.hpp"
 #include "error.hpp"
 #include "formulation/quadric.hpp"
-#include "solve/interrupt.hpp"
 #include "solve/solver.hpp"
 
 namespace kreisel {
@@ -36,10 +35,10 @@ double cut(double value, double (*to_whole)(double)) {
 using Fits = std::function<bool(double)>;
 
 /// The value nearest to `bad`, to a percent, for which it fits; nothing when it does not even for `good`.
-std::optional<double> nearest_that_fits(double bad, double good, const Fits& fits) {
+std::optional<double> nearest_that_fits(double bad, double good, const Fits& fits, const Control& control) {
   if (!fits(good)) return std::nullopt;
   while (std::abs(bad - good) > 0.01 * std::max(std::abs(bad), std::abs(good))) {
-    stop_if_interrupted();
+    control.stop_if_asked();
     const double middle = (bad + good) / 2;
     (fits(middle) ? good : bad) = middle;
   }
@@ -48,12 +47,13 @@ std::optional<double> nearest_that_fits(double bad, double good, const Fits& fit
 
 class Trials {
  public:
-  Trials(const RunConfig& config, const Body& body, const Problem& problem, device::Device& device)
-      : config_(config), body_(body), problem_(problem), device_(device) {}
+  Trials(const RunConfig& config, const Body& body, const Problem& problem, device::Device& device,
+         const Control& control)
+      : config_(config), body_(body), problem_(problem), device_(device), control_(control) {}
 
   /// Is there a filling that meets the constraints?
   [[nodiscard]] bool feasible(Formulation& quadric, const MassModel& mass) const {
-    const Task task{problem_, quadric, mass, device_};
+    const Task task{problem_, quadric, mass, device_, control_.stop};
     const Termination ending = solve(default_solver("quadric"), task, {}).termination;
     return ending == Termination::optimal || ending == Termination::acceptable;
   }
@@ -75,16 +75,14 @@ class Trials {
   const Body& body_;
   const Problem& problem_;
   device::Device& device_;
+  const Control& control_;
 };
 
 }  // namespace
 
 std::string what_would_help(const RunConfig& config, const Body& body, const Problem& problem,
-                            device::Device& device, const Progress& progress) {
-  const auto tell = [&](const std::string& step) {
-    if (progress) progress(step);
-  };
-  const Trials trials(config, body, problem, device);
+                            device::Device& device, const Control& control) {
+  const Trials trials(config, body, problem, device, control);
   std::vector<std::string> help;
 
   const double wall =
@@ -92,10 +90,10 @@ std::string what_would_help(const RunConfig& config, const Body& body, const Pro
   // Whole cells may leave too little, and a solver may see an infeasibility that is its own.
   if (trials.fits_with_wall(wall))
     return "--formulation quadric, which meets them with the same wall on the exact domain";
-  tell("try thinner walls");
+  control.tell("try thinner walls");
   constexpr double thinnest = 0.02;  // of the wall asked for; nobody prints less
-  if (const auto mm =
-          nearest_that_fits(wall, thinnest * wall, [&](double w) { return trials.fits_with_wall(w); }))
+  if (const auto mm = nearest_that_fits(
+          wall, thinnest * wall, [&](double w) { return trials.fits_with_wall(w); }, control))
     help.push_back(fmt::format("a wall of {:.3g} mm or less (now {:.3g})", *mm, wall));
 
   const auto exact = trials.domain(wall);
@@ -112,23 +110,24 @@ std::string what_would_help(const RunConfig& config, const Body& body, const Pro
   const Material &light = body.heavy_voids() ? interior : voids,
                  &heavy = body.heavy_voids() ? voids : interior;
   if (body.*light.density > light.least) {
-    tell(fmt::format("try {} of less density", light.name));
-    const auto density = nearest_that_fits(body.*light.density, light.least,
-                                           [&](double d) { return fits_with(light.density, d); });
+    control.tell(fmt::format("try {} of less density", light.name));
+    const auto density = nearest_that_fits(
+        body.*light.density, light.least, [&](double d) { return fits_with(light.density, d); }, control);
     if (density)
       help.push_back(fmt::format("{} of {:.3g} g/cm^3 or less (now {:.3g}; --{}-density)", light.name,
                                  cut(*density, std::floor), body.*light.density, light.option));
   }
-  tell(fmt::format("try {} of more density", heavy.name));
-  const auto density =
-      nearest_that_fits(body.*heavy.density, tungsten, [&](double d) { return fits_with(heavy.density, d); });
+  control.tell(fmt::format("try {} of more density", heavy.name));
+  const auto density = nearest_that_fits(
+      body.*heavy.density, tungsten, [&](double d) { return fits_with(heavy.density, d); }, control);
   if (density)
     help.push_back(fmt::format("{} of {:.3g} g/cm^3 or more (now {:.3g}; --{}-density)", heavy.name,
                                cut(*density, std::ceil), body.*heavy.density, heavy.option));
   if (!body.heavy_voids()) {
-    tell("try heavy fillings");
-    const auto filling = nearest_that_fits(body.interior_density, tungsten,
-                                           [&](double d) { return fits_with(&Body::void_density, d); });
+    control.tell("try heavy fillings");
+    const auto filling = nearest_that_fits(
+        body.interior_density, tungsten, [&](double d) { return fits_with(&Body::void_density, d); },
+        control);
     if (filling)
       help.push_back(
           fmt::format("in place of voids, parts of the interior of {:.3g} g/cm^3 or more (the rest "

@@ -9,8 +9,8 @@
 #include "domain/exact.hpp"
 #include "fabricate/verify.hpp"
 #include "fabricate/voids.hpp"
-#include "run/config.hpp"
-#include "run/provenance.hpp"
+#include "session/config.hpp"
+#include "session/provenance.hpp"
 #include "solve/certificate.hpp"
 #include "solve/solver.hpp"
 

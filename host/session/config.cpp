@@ -1,4 +1,4 @@
-#include "run/config.hpp"
+#include "session/config.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,8 +13,8 @@
 #include "formulation/formulation.hpp"
 #include "parse.hpp"
 #include "problem/problem.hpp"
-#include "run/field_names.hpp"
-#include "run/field_text.hpp"
+#include "session/field_names.hpp"
+#include "session/field_text.hpp"
 #include "solve/solver.hpp"
 #include "unknown_name.hpp"
 

@@ -3,13 +3,14 @@
 
 #include <string>
 
-#include "run/solved_run.hpp"
+#include "session/solved_run.hpp"
 
 namespace kreisel {
 
 /// Of five hundred axes through the lowest point along each, on a coarse grid: how many will do, the one
 /// nearest to the configuration's and the best, as options of a command line. [docs/map.md]
 /// @param asked  the axis that will not, model coordinates
-[[nodiscard]] std::string other_axes(const RunConfig& config, const Vec3& asked, const Progress& progress);
+[[nodiscard]] std::string other_axes(Session& session, const RunConfig& config, const Vec3& asked,
+                                     const Control& control);
 
 }  // namespace kreisel

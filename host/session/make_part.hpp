@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "run/solved_run.hpp"
+#include "session/solved_run.hpp"
 
 namespace kreisel {
 

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "run/config.hpp"
-#include "run/pipeline.hpp"
-#include "run/provenance.hpp"
+#include "session/config.hpp"
+#include "session/session.hpp"
 #include "solve/solver.hpp"
 
 namespace kreisel {
@@ -80,6 +79,7 @@ struct OrientationMap {
 /// On Ctrl-C it ends early and keeps what is done, spread evenly over the axes.
 /// @throws InputError   bad configuration or mesh, a problem that is neither spin nor float, no axes
 /// @throws Interrupted  before the sweep began
-[[nodiscard]] OrientationMap map_orientations(const MapSpec& spec, const Progress& progress = {});
+[[nodiscard]] OrientationMap map_orientations(Session& session, const MapSpec& spec,
+                                              const Control& control = {});
 
 }  // namespace kreisel

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "run/config.hpp"
-#include "run/pipeline.hpp"
+#include "session/config.hpp"
+#include "session/pipeline.hpp"
 
 namespace kreisel {
 
@@ -16,6 +16,6 @@ class Problem;
 /// filling of the exact domain that meets the constraints. One sentence, which says so where none of them
 /// helps.
 [[nodiscard]] std::string what_would_help(const RunConfig& config, const Body& body, const Problem& problem,
-                                          device::Device& device, const Progress& progress);
+                                          device::Device& device, const Control& control);
 
 }  // namespace kreisel

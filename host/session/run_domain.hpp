@@ -5,7 +5,7 @@
 
 #include "domain/exact.hpp"
 #include "formulation/quadric.hpp"
-#include "run/config.hpp"
+#include "session/config.hpp"
 
 namespace kreisel {
 

@@ -1,22 +1,24 @@
-#include "run/pipeline.hpp"
+#include "session/pipeline.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
 #include "error.hpp"
-#include "run/make_part.hpp"
+#include "session/make_part.hpp"
 
 namespace kreisel {
 
-RunOutput run(const RunConfig& config, const std::string& mesh_file, const Progress& progress) {
+RunOutput run(const RunConfig& config, const std::string& mesh_file, const Control& control) {
   if (config.part == Part::none && !mesh_file.empty())
     throw InputError(
         fmt::format("part = none with the mesh {}; expected no mesh, or part = written", mesh_file));
-  SolvedRun solved(config, progress);
+  Session session;
+  SolvedRun solved(session, config, control);
+  solved.complete(control);
   PartMeshes part{solved.body().mesh, {}};
   if (config.part == Part::written) {
-    if (progress) progress("round, extract, verify");
+    control.tell("round, extract, verify");
     part = make_part(solved, mesh_file);
   }
   return {std::move(solved.result), std::move(part.outer), std::move(part.cavity)};

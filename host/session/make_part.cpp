@@ -1,4 +1,4 @@
-#include "run/make_part.hpp"
+#include "session/make_part.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -12,7 +12,6 @@
 #include "fabricate/verify.hpp"
 #include "formulation/meet_constraints.hpp"
 #include "memory.hpp"
-#include "solve/interrupt.hpp"
 
 namespace kreisel {
 namespace {
@@ -118,7 +117,7 @@ Made mesh_inside(SolvedRun& run, bool fit, const PartOptions& options) {
     r.rounding.violation = violation(problem, whole);
     r.rounding.corrections = corrections;
     if (!fit || r.rounding.violation <= met || corrections == most_corrections) return made;
-    stop_if_interrupted();
+    run.stop_if_asked();
     const Task task = run.task_with(seen);
     seen.fixed += whole - seen.total(task.formulation.moments(x));
     const Outcome again = solve(run.solver(), task, run.options());

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "geometry/triangle_mesh.hpp"
-#include "run/solved_run.hpp"
+#include "session/solved_run.hpp"
 
 namespace kreisel {
 
@@ -20,6 +20,6 @@ struct RunOutput {
 /// @throws InputError   bad configuration or mesh; a mesh_file with part = none
 /// @throws Interrupted  before there was a result; nothing is written
 /// @throws MemoryError  the solver has too little
-RunOutput run(const RunConfig& config, const std::string& mesh_file = {}, const Progress& progress = {});
+RunOutput run(const RunConfig& config, const std::string& mesh_file = {}, const Control& control = {});
 
 }  // namespace kreisel

@@ -1,0 +1,178 @@
+#include "session/session.hpp"
+
+#include <array>
+#include <numbers>
+#include <utility>
+
+#include "problem/ray_direction.hpp"
+#include "problem/turned.hpp"
+#include "stopwatch.hpp"
+
+namespace kreisel {
+namespace {
+
+bool same_pose(const Body& a, const Body& b) { return a.axis == b.axis && a.contact == b.contact; }
+
+/// Lays the body anew where rays along its axis would run along the cut, and nobody asked for them.
+void lay_rays_across_the_cut(Body& body, const Body& made, const RunConfig& question) {
+  const BodySpec& given = question.body;
+  if (given.axis || given.up || given.axle.radius) return;
+  const auto axis = ray_direction(question.problem, settings_of(question, "problem"), body);
+  if (axis) reframe(body, made, *axis, given.contact.value_or(lowest_point(made.mesh, *axis)));
+}
+
+/// May rays along `laid` serve this problem about another axis? A plane must not run along them: then whole
+/// rays are on one side or the other, and their moments jump.
+bool serves(const ProblemEntry& asked, const Body& laid, const Body& pose) {
+  return !asked.upright || laid.axis.dot(pose.axis) > 1 / std::numbers::sqrt3;
+}
+
+/// The body in its own frame, of the pose's densities.
+std::shared_ptr<const Body> with_densities_of(const Body& pose, const std::shared_ptr<const Body>& body) {
+  const auto densities = [](const Body& of) {
+    return std::array{of.density, of.interior_density, of.void_density};
+  };
+  if (densities(pose) == densities(*body)) return body;
+  auto other = std::make_shared<Body>(*body);
+  other->density = pose.density;
+  other->interior_density = pose.interior_density;
+  other->void_density = pose.void_density;
+  return other;
+}
+
+}  // namespace
+
+Session::Session(std::shared_ptr<const Source> solid, std::shared_ptr<device::Device> device)
+    : given_(std::move(solid)), given_device_(std::move(device)) {}
+
+template <class Key, class Value, class Make>
+std::shared_ptr<Value> Session::stage(std::string_view name, Kept<Key, Value>& kept, Key key,
+                                      const Make& make) {
+  return kept.get(std::move(key), [&] {
+    std::shared_ptr<Value> value = make();
+    made_.push_back(name);
+    return value;
+  });
+}
+
+std::shared_ptr<device::Device> Session::device_of(const RunConfig& question) {
+  if (given_device_) return given_device_;
+  return stage("device", device_, {question.device, question.single_precision}, [&] {
+    provenance_.reset();
+    return std::make_shared<device::Device>(question.device, question.single_precision
+                                                                 ? device::Precision::single
+                                                                 : device::Precision::automatic);
+  });
+}
+
+std::shared_ptr<const Body> Session::body_of(const RunConfig& question, const BodySpec& spec,
+                                             const std::shared_ptr<device::Device>& device) {
+  const BodySpec& given = question.body;
+  const std::shared_ptr<const Source> source =
+      given_ ? given_ : stage("mesh", source_, {given.model, given.fineness, given.unit}, [&] {
+        return std::make_shared<const Source>(load_solid(given));
+      });
+  std::optional<BodySpec> with_axle;
+  if (spec.axle.radius) with_axle = spec;
+  return stage("body", body_, {source, device, spec.size, with_axle}, [&] {
+    made_as_ = spec;
+    return std::make_shared<const Body>(make_body(spec, *source, *device));
+  });
+}
+
+std::shared_ptr<const Body> Session::pose_of(const RunConfig& question, const BodySpec& spec,
+                                             const std::shared_ptr<const Body>& body) {
+  Settings laid_by;
+  if (question.problem == "balance")
+    laid_by = settings_of(question, "problem");
+  else if (spec == made_as_)
+    return body;
+  return stage("pose", pose_, {body, spec, laid_by}, [&] {
+    auto pose = std::make_shared<Body>(reposed(*body, spec));
+    lay_rays_across_the_cut(*pose, *body, question);
+    return std::shared_ptr<const Body>(std::move(pose));
+  });
+}
+
+std::shared_ptr<const Session::Laid> Session::domain_of(const RunConfig& question,
+                                                        const std::shared_ptr<const Body>& pose, Along rays) {
+  DomainKey key{body_.value(), pose->axis,   pose->contact, kreisel::domain_of(question),
+                question.grid, question.wall};
+  const bool turns = rays == Along::any_axis && key.kind == "exact" && question.formulation == "quadric" &&
+                     question.problem != "balance" && !pose->axle;
+  if (turns && domain_.key()) {
+    DomainKey as_laid = key;
+    as_laid.axis = domain_.key()->axis;
+    as_laid.contact = domain_.key()->contact;
+    if (domain_.holds(as_laid) && serves(find_problem(question.problem), *domain_.value()->body, *pose))
+      return domain_.value();
+  }
+  return stage("domain", domain_, std::move(key), [&] {
+    return std::make_shared<const Laid>(Laid{std::make_shared<const RunDomain>(question, *pose), pose});
+  });
+}
+
+std::shared_ptr<const Problem> Session::problem_of(const RunConfig& question,
+                                                   const std::shared_ptr<const Body>& pose,
+                                                   const std::shared_ptr<const Body>& rays) {
+  const Settings settings = settings_of(question, "problem");
+  return stage("problem", problem_, {pose, rays, question.problem, settings}, [&] {
+    std::unique_ptr<Problem> problem = find_problem(question.problem).make(settings, *pose);
+    if (!same_pose(*pose, *rays)) {
+      const Eigen::Matrix3d R = pose->frame.rotation * rays->frame.rotation.transpose();
+      problem = std::make_unique<Turned>(std::move(problem), R, pose->frame.to_body(rays->frame.origin));
+    }
+    return std::shared_ptr<const Problem>(std::move(problem));
+  });
+}
+
+std::shared_ptr<Formulation> Session::formulation_of(const RunConfig& question, const Laid& laid,
+                                                     const Problem& problem,
+                                                     const std::shared_ptr<device::Device>& device) {
+  const Settings settings = settings_of(question, "formulation");
+  const RunDomain& domain = *laid.domain;
+  const Traits traits = domain.exact ? Traits{} : problem.traits();
+  return stage(
+      "formulation", formulation_,
+      {laid.domain, domain.exact ? "quadric" : question.formulation, settings, traits.filling}, [&] {
+        std::shared_ptr<Formulation> made =
+            domain.exact
+                ? make_quadric(domain.rays(), settings, *device)
+                : find_formulation(question.formulation).make(*domain.columns, traits, settings, *device);
+        made->warm_up();
+        return made;
+      });
+}
+
+Stages Session::stages(const RunConfig& question, const Control& control, Along rays) {
+  made_.clear();
+  // What needs no work is checked first, so that a typing error costs no time.
+  const ProblemEntry& asked = find_problem(question.problem);
+  (void)find_formulation(question.formulation);
+  (void)kreisel::domain_of(question);
+  Stages stages;
+  const Stopwatch opening;
+  stages.device = device_of(question);
+  stages.opening_seconds = opening.seconds();
+  control.tell("set-up");
+  const BodySpec spec = asked.posed(question.body);
+  const std::shared_ptr<const Body> body = body_of(question, spec, stages.device);
+  control.stop_if_asked();
+  const std::shared_ptr<const Body> pose = pose_of(question, spec, body);
+  const std::shared_ptr<const Laid> laid = domain_of(question, pose, rays);
+  stages.domain = laid->domain;
+  control.stop_if_asked();
+  stages.body = same_pose(*laid->body, *pose) ? pose : with_densities_of(*pose, laid->body);
+  stages.problem = problem_of(question, pose, laid->body);
+  stages.mass = hollowed(*stages.body, laid->domain->interior());
+  stages.formulation = formulation_of(question, *laid, *stages.problem, stages.device);
+  control.stop_if_asked();
+  return stages;
+}
+
+const Provenance& Session::provenance() {
+  if (!provenance_) provenance_ = make_provenance(given_device_ ? *given_device_ : *device_.value());
+  return *provenance_;
+}
+
+}  // namespace kreisel
