@@ -1,4 +1,4 @@
-# Writes OUTPUT, a C++ file that defines kreisel::device::kernel_source() for every FOLDER/*.cl.
+# Writes OUTPUT, a C++ file that defines kreisel::core::device::kernel_source() for every FOLDER/*.cl.
 # `#include "name.h"` of a header in FOLDER is replaced by its text, so the binary needs no files.
 file(GLOB headers ${FOLDER}/*.h)
 file(GLOB kernels ${FOLDER}/*.cl)
@@ -21,11 +21,11 @@ function(inlined path result)
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-set(code "// Made from kernels/*.cl by cmake/embed_kernels.cmake.\n#include \"device/kernel_source.hpp\"\n\nnamespace kreisel::device {\n\nconst std::vector<KernelSource>& kernel_sources() {\n  static const std::vector<KernelSource> all = {\n")
+set(code "// Made from kernels/*.cl by cmake/embed_kernels.cmake.\n#include \"device/kernel_source.hpp\"\n\nnamespace kreisel::core::device {\n\nconst std::vector<KernelSource>& kernel_sources() {\n  static const std::vector<KernelSource> all = {\n")
 foreach(kernel ${kernels})
   get_filename_component(stem "${kernel}" NAME_WE)
   inlined("${kernel}" text)
   string(APPEND code "    {\"${stem}\", R\"__cl__(${text})__cl__\"},\n")
 endforeach()
-string(APPEND code "  };\n  return all;\n}\n\n}  // namespace kreisel::device\n")
+string(APPEND code "  };\n  return all;\n}\n\n}  // namespace kreisel::core::device\n")
 file(WRITE "${OUTPUT}" "${code}")

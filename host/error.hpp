@@ -1,15 +1,12 @@
-// error.hpp - the one exception for what the user can mend: bad files, options, values.
+// error.hpp - the one exception for what the user can mend. Programs print its line and exit with 2.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
-namespace kreisel {
+#include "kreisel/error.hpp"
 
-/// Bad input. what() is one line: what, where, what was expected. Programs print it and exit with 2.
-class InputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+namespace kreisel::core {
 
-}  // namespace kreisel
+using kreisel::InputError;
+
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// What was asked is fine, but there is no memory for it. Programs print what() and exit with 4.
 class MemoryError : public std::runtime_error {
@@ -42,4 +42,4 @@ struct Memory {
   return ::getrusage(RUSAGE_SELF, &usage) == 0 ? 1024.0 * static_cast<double>(usage.ru_maxrss) : 0.0;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

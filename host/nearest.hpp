@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Letters to insert, delete, replace or swap with their neighbour to turn one word into the other (optimal
 /// string alignment).
@@ -46,4 +46,4 @@ requires std::convertible_to<std::ranges::range_reference_t<const Names>, std::s
   return best;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

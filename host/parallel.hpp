@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Calls body(i) once for every i < count, in any order, on as many threads as the machine has. The pieces
 /// share nothing they write to, so the result depends on none of that. The first exception is thrown again
@@ -43,4 +43,4 @@ void parallel_for(std::size_t count, Body&& body) {
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// `text` as a number, or nothing if any part of it is not one, or if it is not finite.
 template <class Number>
@@ -41,4 +41,4 @@ inline std::optional<Eigen::Vector3d> parse_vector(std::string_view text) {
   return v;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-namespace kreisel {
+namespace kreisel::core {
 
 class Stopwatch {
  public:
@@ -15,4 +15,4 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "error.hpp"
 #include "nearest.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// "problem 'flaot' is unknown (did you mean 'float'?); expected one of: spin, stand, float".
 /// @param kind   what is named: problem, formulation, ...
@@ -28,4 +28,4 @@ template <class Entries>
   return names;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

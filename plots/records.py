@@ -1,4 +1,4 @@
-"""Reads records of runs (schema: results/README.md) into plain dicts, read-only."""
+"""What the figures share: records of runs by body and setting, published numbers, the command line."""
 
 import argparse
 import collections
@@ -6,87 +6,10 @@ import json
 import pathlib
 import sys
 
-import h5py
-
-SCHEMA = "kreisel run"
-NEWEST = 1
-LARGE = ("x", "history", "intervals")  # datasets that grow with the resolution or the solve
-
-
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "python"))  # the reader of records is the Python library's
 
-
-class BadRecord(Exception):
-    """A file or folder that is not what was asked for; the text is one line."""
-
-
-def _attributes(node):
-    return {name: value.item() if hasattr(value, "item") else value for name, value in node.attrs.items()}
-
-
-def _tables(group, but):
-    return {name: node[...] for name, node in group.items()
-            if isinstance(node, h5py.Dataset) and name not in but}
-
-
-def read(path, arrays=True):
-    """One record: root attributes at the top, each group a dict of its attributes and datasets.
-
-    arrays=False leaves out the datasets named in LARGE. A failed run has the key
-    "error" and no more than "config" and "provenance" beside it.
-    """
-    path = pathlib.Path(path)
-    try:
-        with h5py.File(path, "r") as file:
-            if file.attrs.get("schema") != SCHEMA:
-                raise BadRecord(f"{path}: not a record of a run, expected the attribute schema = {SCHEMA}")
-            version = file.attrs.get("schema_version", 0)
-            if not 1 <= version <= NEWEST:
-                raise BadRecord(f"{path}: schema version {version}, expected 1 to {NEWEST}")
-            record = {"path": path, **_attributes(file)}
-            for name, group in file.items():
-                record[name] = {**_attributes(group), **_tables(group, () if arrays else LARGE)}
-            if "verified" in file:
-                record["verified"]["values"] = _attributes(file["verified/values"])
-                materials = file.get("verified/materials") or {}  # early records have none
-                record["verified"]["materials"] = {name: _attributes(group) for name, group in materials.items()}
-            return record
-    except OSError as error:
-        reason = "no such file" if not path.exists() else str(error).split("(")[-1].rstrip(")")
-        raise BadRecord(f"{path}: not readable as HDF5: {reason}") from None
-    except KeyError as error:
-        raise BadRecord(f"{path}: incomplete record: {error}") from None
-
-
-def schema_of(path):
-    """What the file says it is; None where it says nothing or is no HDF5."""
-    try:
-        with h5py.File(path, "r") as file:
-            return file.attrs.get("schema")
-    except OSError:
-        return None
-
-
-def is_map(path):
-    """Whether it is the record of a map of orientations (map.py), not of a run."""
-    return schema_of(path) == "kreisel map"
-
-
-def is_nesting(path):
-    """Whether it is the record of a nesting (nestings.py), not of a run."""
-    return schema_of(path) == "kreisel nesting"
-
-
-def read_folder(folder, arrays=False):
-    """Every record (*.h5) of a run in a folder and the folders in it, by name."""
-    folder = pathlib.Path(folder)
-    if not folder.is_dir():
-        raise BadRecord(f"{folder}: no such folder, expected one with records")
-    found = [read(path, arrays) for path in sorted(folder.rglob("*.h5"))
-             if not is_map(path) and not is_nesting(path)]
-    if not found:
-        raise BadRecord(f"{folder}: no records (*.h5) in it")
-    return found
+from kreisel._records import (BadRecord, is_map, is_nesting, read, read_folder, schema_of)  # noqa: E402, F401
 
 
 def with_results(found):

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(Nearest, CountsLettersPutInLeftOutReplacedAndSwapped) {
@@ -28,4 +28,4 @@ TEST(Nearest, PrefersTheFirstOfEquals) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

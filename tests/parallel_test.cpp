@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(ParallelFor, CallsEveryPieceOnce) {
@@ -26,4 +26,4 @@ TEST(ParallelFor, ThrowsWhatAPieceThrewAndBeginsNoFurtherPieces) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

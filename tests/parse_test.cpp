@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(Parse, TakesWholeNumbersWithOrWithoutASign) {
@@ -44,4 +44,4 @@ TEST(ParseVector, TakesThreeNumbersBetweenTwoCommas) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

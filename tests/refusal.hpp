@@ -8,7 +8,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The call throws InputError with one line that begins with `start` and has "expected" and all the parts.
 template <class Call>
@@ -25,4 +25,4 @@ void expect_refusal(Call&& call, const std::string& start, const std::vector<std
   }
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include <string>
 #include <system_error>
 
-namespace kreisel {
+namespace kreisel::core {
 
 struct TemporaryFolder {
   TemporaryFolder() {
@@ -34,4 +34,4 @@ struct TemporaryFolder {
   std::filesystem::path path;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

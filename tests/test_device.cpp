@@ -1,6 +1,6 @@
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 device::Device& test_device() {
   static device::Device device;
@@ -12,4 +12,4 @@ device::Device& single_device() {
   return device;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

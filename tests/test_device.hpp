@@ -3,7 +3,7 @@
 
 #include "device/device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// In double where the device has it.
 device::Device& test_device();
@@ -11,4 +11,4 @@ device::Device& test_device();
 /// The same device with its kernels forced to compensated single precision.
 device::Device& single_device();
 
-}  // namespace kreisel
+}  // namespace kreisel::core

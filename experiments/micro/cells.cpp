@@ -11,7 +11,7 @@
 #include "formulation/leaves.hpp"
 #include "micro.hpp"
 
-namespace kreisel::micro {
+namespace kreisel::core::micro {
 namespace {
 
 using Columns10 = Eigen::Matrix<double, 10, Eigen::Dynamic>;
@@ -155,4 +155,4 @@ void register_cells(Machine& machine, const std::string& model) {
   }
 }
 
-}  // namespace kreisel::micro
+}  // namespace kreisel::core::micro

@@ -11,7 +11,7 @@
 #include "mesh/query/distance.hpp"
 #include "micro.hpp"
 
-namespace kreisel::micro {
+namespace kreisel::core::micro {
 namespace {
 
 /// The peer of column_crossings: Embree's watertight rays, single precision, every hit along each column.
@@ -138,4 +138,4 @@ void register_domain(Machine& machine, const std::string& model) {
   }
 }
 
-}  // namespace kreisel::micro
+}  // namespace kreisel::core::micro

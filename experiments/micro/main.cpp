@@ -17,8 +17,8 @@
 
 namespace {
 
-using namespace kreisel;
-using namespace kreisel::micro;
+using namespace kreisel::core;
+using namespace kreisel::core::micro;
 
 constexpr const char* usage =
     "kreisel_micro [--device NAME] [--model NAME|FILE] [--benchmark_...]\n"

@@ -7,7 +7,7 @@
 #include "body/mesh_moments.hpp"
 #include "micro.hpp"
 
-namespace kreisel::micro {
+namespace kreisel::core::micro {
 namespace {
 
 /// A torus of about n triangles.
@@ -65,4 +65,4 @@ void register_meshes(Machine& machine, bool reference) {
   }
 }
 
-}  // namespace kreisel::micro
+}  // namespace kreisel::core::micro

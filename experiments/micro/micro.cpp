@@ -5,7 +5,7 @@
 
 #include "params.h"
 
-namespace kreisel::micro {
+namespace kreisel::core::micro {
 namespace {
 
 /// The best of a few: a ceiling is what the machine can do.
@@ -80,4 +80,4 @@ std::vector<std::size_t> sizes(const device::Device& device, double bytes_an_ele
   return all;
 }
 
-}  // namespace kreisel::micro
+}  // namespace kreisel::core::micro

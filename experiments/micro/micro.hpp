@@ -11,7 +11,7 @@
 #include "device/device.hpp"
 #include "device/probe.hpp"
 
-namespace kreisel::micro {
+namespace kreisel::core::micro {
 
 /// A device in one precision, with its probes.
 struct Machine {
@@ -63,4 +63,4 @@ void register_cells(Machine& machine, const std::string& model);
 /// @param model  a name or a mesh file
 void register_domain(Machine& machine, const std::string& model);
 
-}  // namespace kreisel::micro
+}  // namespace kreisel::core::micro

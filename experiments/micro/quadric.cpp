@@ -7,7 +7,7 @@
 #include "formulation/ray_moments.hpp"
 #include "micro.hpp"
 
-namespace kreisel::micro {
+namespace kreisel::core::micro {
 namespace {
 
 /// Intervals in the first octant, most of them cut by cutting(), none of them tangent to it.
@@ -80,4 +80,4 @@ void register_quadric(Machine& machine, bool reference) {
     }
 }
 
-}  // namespace kreisel::micro
+}  // namespace kreisel::core::micro

@@ -6,7 +6,7 @@
 #include "formulation/ray_moments.hpp"
 #include "micro.hpp"
 
-namespace kreisel::micro {
+namespace kreisel::core::micro {
 namespace {
 
 /// Rays over a grid in the first octant: with positive weights nothing cancels, so errors are relative.
@@ -125,4 +125,4 @@ void register_rays(Machine& machine, bool reference) {
   }
 }
 
-}  // namespace kreisel::micro
+}  // namespace kreisel::core::micro

@@ -6,7 +6,7 @@
 #include "formulation/voxel_moments.hpp"
 #include "micro.hpp"
 
-namespace kreisel::micro {
+namespace kreisel::core::micro {
 namespace {
 
 /// Voxels of a grid in the first octant: with positive weights nothing cancels, so errors are relative.
@@ -101,4 +101,4 @@ void register_voxels(Machine& machine, bool reference) {
   }
 }
 
-}  // namespace kreisel::micro
+}  // namespace kreisel::core::micro

@@ -20,7 +20,7 @@
 #include "error.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 constexpr double nothing = -std::numeric_limits<double>::infinity();
@@ -173,4 +173,4 @@ OptimiseResult optimise_with_pagmo(const Nesting& nesting, device::Device& devic
   return result;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

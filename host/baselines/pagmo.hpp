@@ -9,7 +9,7 @@
 #include "nest/search/objective.hpp"
 #include "nest/search/optimise.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 struct BaselineResult {
   std::vector<double> best;  ///< a position; empty when nothing asked for was feasible
@@ -37,4 +37,4 @@ struct BaselineResult {
 [[nodiscard]] OptimiseResult optimise_with_pagmo(const Nesting& nesting, device::Device& device,
                                                  OptimiseSpec spec, const OnIteration& on_iteration = {});
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -13,7 +13,7 @@
 #include "mesh/make/prism.hpp"
 #include "mesh/query/distance.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr int sides = 48;  // of a circle as a polygon: its area is 0.3 % less
@@ -93,4 +93,4 @@ TriangleMesh half_of(const TriangleMesh& mesh, bool upper) {
   return half;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

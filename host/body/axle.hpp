@@ -6,7 +6,7 @@
 #include "body/moments.hpp"
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// An axle along z about the origin, and the slot for its string; lengths in the mesh's unit.
 struct Axle {
@@ -42,4 +42,4 @@ struct AxleSpec {
 /// The triangles of `mesh` above z = 0 or below it. None of them may cross it.
 [[nodiscard]] TriangleMesh half_of(const TriangleMesh& mesh, bool upper);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

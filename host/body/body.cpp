@@ -9,7 +9,7 @@
 #include "body/source.hpp"
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A contact point far beside the body is a typing error: nothing there can be spun or stood on.
@@ -109,7 +109,11 @@ Body make_body(const BodySpec& spec, device::Device& device) {
   return make_body(spec, load_solid(spec), device);
 }
 
-Body make_body(const BodySpec& spec, Source source, device::Device& device) {
+namespace {
+
+/// @param moments_of  a mesh at unit density
+template <class MomentsOf>
+Body laid(const BodySpec& spec, Source source, const MomentsOf& moments_of) {
   require_valid(spec);
   Body body;
   body.name = source.name;
@@ -123,17 +127,17 @@ Body make_body(const BodySpec& spec, Source source, device::Device& device) {
   body.usual = {source.axis.normalized(), source.up.normalized(), {}};
   if (source.contact) body.usual.contact = scale * *source.contact;
   pose(body, spec);
-  Moments about_origin = mesh_moments(body.mesh, device);
+  Moments about_origin = moments_of(body.mesh);
   if (spec.centred && !spec.contact) body.contact = centre_of_mass(about_origin);
   body.axle = axle_of(spec.axle);
   if (body.axle) {
     const Frame millimetres{axis_to_z(body.axis), body.contact, 1};
     body.mesh = to_model(millimetres, halves(to_body(millimetres, body.mesh), *body.axle));
-    about_origin = mesh_moments(body.mesh, device);
+    about_origin = moments_of(body.mesh);
   }
   body.frame = {axis_to_z(body.axis), body.contact, std::cbrt(about_origin[S1])};
   body.local = to_body(body.frame, body.mesh);
-  body.solid = mesh_moments(body.local, device);
+  body.solid = moments_of(body.local);
   if (body.axle) {
     const double length = body.frame.length;
     const Axle axle = {body.axle->radius / length, body.axle->slot / length, body.axle->depth / length};
@@ -141,6 +145,17 @@ Body make_body(const BodySpec& spec, Source source, device::Device& device) {
     body.solid += body.added;
   }
   return body;
+}
+
+}  // namespace
+
+Body make_body(const BodySpec& spec, Source source, device::Device& device) {
+  return laid(spec, std::move(source), [&](const TriangleMesh& mesh) { return mesh_moments(mesh, device); });
+}
+
+Body make_body(const BodySpec& spec, Source source) {
+  return laid(spec, std::move(source),
+              [](const TriangleMesh& mesh) { return reference::mesh_moments(mesh).value; });
 }
 
 void reframe(Body& body, const Body& made, const Vec3& axis, const Vec3& contact) {
@@ -158,4 +173,4 @@ MassModel hollowed(const Body& body, const Moments& interior) {
   return {body.solid + (light / body.density - 1) * interior, (heavy - light) / body.density, interior};
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

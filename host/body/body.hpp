@@ -12,7 +12,7 @@
 #include "geometry/triangle_mesh.hpp"
 #include "mesh/io/length_unit.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// What the user says of a body; what is left out comes from the model, else from the defaults named here.
 struct BodySpec {
@@ -113,4 +113,4 @@ struct MassModel {
 /// @param interior  moments of the whole domain at unit density: what can be hollowed
 [[nodiscard]] MassModel hollowed(const Body& body, const Moments& interior);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-namespace kreisel {
+namespace kreisel::core {
 
 Eigen::Matrix3d axis_to_z(const Vec3& axis) {
   return Eigen::Quaterniond::FromTwoVectors(axis, Vec3::UnitZ()).toRotationMatrix();
@@ -18,4 +18,4 @@ TriangleMesh to_model(const Frame& frame, TriangleMesh mesh) {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Body coordinates X = R (x - origin) / length: z along the axis, origin at the contact point, unit length
 /// L = V^(1/3) of the solid.
@@ -25,4 +25,4 @@ struct Frame {
 [[nodiscard]] TriangleMesh to_body(const Frame& frame, TriangleMesh mesh);
 [[nodiscard]] TriangleMesh to_model(const Frame& frame, TriangleMesh mesh);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

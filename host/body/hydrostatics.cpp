@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Integrals over the section's area of 1, x, y, x^2, y^2, xy, summed along its boundary.
@@ -120,4 +120,4 @@ double waterline_of(const TriangleMesh& mesh, double volume) {
   return z;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

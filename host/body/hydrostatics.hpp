@@ -3,7 +3,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Of the part of a closed mesh below a horizontal plane, in the mesh's own unit. Hollows don't matter: only
 /// the outer mesh displaces water.
@@ -28,4 +28,4 @@ struct Hydrostatics {
 /// between the lowest and the highest point. @param volume  between 0 and the mesh's own
 [[nodiscard]] double waterline_of(const TriangleMesh& mesh, double volume);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

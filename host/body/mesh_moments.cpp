@@ -10,7 +10,7 @@
 #include "device/program.hpp"
 #include "mesh_moments_params.h"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr std::size_t most_vertices = (std::size_t{1} << 30) - 1;  // quadruples are found by 32-bit words
@@ -101,4 +101,4 @@ MomentSums mesh_moments(const TriangleMesh& mesh) {
 }
 
 }  // namespace reference
-}  // namespace kreisel
+}  // namespace kreisel::core

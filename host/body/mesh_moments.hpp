@@ -5,7 +5,7 @@
 #include "device/device.hpp"
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Ten moments at unit density about the mesh's own origin, summed on the device (mesh_moments.cl).
 ///
@@ -26,4 +26,4 @@ namespace reference {
 [[nodiscard]] MomentSums mesh_moments(const TriangleMesh& mesh);
 
 }  // namespace reference
-}  // namespace kreisel
+}  // namespace kreisel::core

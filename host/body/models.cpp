@@ -2,7 +2,7 @@
 
 #include "body/models/shapes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 const std::vector<Model>& models() {
   static const std::vector<Model> all = {
@@ -63,4 +63,4 @@ const Model* find_model(std::string_view name) {
   return nullptr;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A shape the project makes itself, with the frame it is meant to be used in. Lengths in millimetres.
 struct Model {
@@ -28,4 +28,4 @@ struct Model {
 /// The model of that name, or nullptr.
 [[nodiscard]] const Model* find_model(std::string_view name);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Eigen::Matrix3d;
@@ -62,4 +62,4 @@ Moments box_moments(const Vector3d& centre, const Vector3d& edges) {
   return assemble(volume, volume * centre, q);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,11 +5,12 @@
 #include <array>
 #include <string_view>
 
-namespace kreisel {
+#include "kreisel/mesh.hpp"
 
-/// Ten integrals of a solid, s_t = rho * integral of t over the solid, in the order of MomentIndex.
-/// Units: density times length^3 (s1), length^4 (first moments), length^5 (second moments). [SpinIt, eq. 4]
-using Moments = Eigen::Matrix<double, 10, 1>;
+namespace kreisel::core {
+
+/// In the order of MomentIndex.
+using kreisel::Moments;
 using Matrix10 = Eigen::Matrix<double, 10, 10>;
 
 /// A sum with what its rounding errors are measured by: error bounds are relative to `abs_sum`.
@@ -45,4 +46,4 @@ inline constexpr std::array<std::string_view, 10> moment_names = {"s1",  "sx",  
 /// Moments of a box with the given centre and edge lengths at unit density (closed form).
 [[nodiscard]] Moments box_moments(const Eigen::Vector3d& centre, const Eigen::Vector3d& edges);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

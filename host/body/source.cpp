@@ -14,7 +14,7 @@
 #include "mesh/solid/solid.hpp"
 #include "nearest.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 [[noreturn]] void unknown(const std::string& name) {
@@ -120,4 +120,4 @@ Source as_solid(Source source, Surface& surface, const std::string& model) {
   return source;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

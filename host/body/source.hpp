@@ -7,7 +7,7 @@
 #include "body/body.hpp"
 #include "mesh/solid/surface.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A mesh with what its origin says of it.
 struct Source {
@@ -37,6 +37,8 @@ struct Source {
 
 /// make_body() with the mesh at hand. @param solid  with the mesh of a solid
 [[nodiscard]] Body make_body(const BodySpec& spec, Source solid, device::Device& device);
+/// The same without a device: integrated on the host.
+[[nodiscard]] Body make_body(const BodySpec& spec, Source solid);
 
 /// Where mesh files are looked for that are not where their name says: $KREISEL_MODELS, else `models` in the
 /// current folder.
@@ -51,4 +53,4 @@ struct Source {
 ///                     has one
 void require_known_source(const BodySpec& spec);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

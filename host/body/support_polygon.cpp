@@ -7,7 +7,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
@@ -120,4 +120,4 @@ SupportPolygon support_polygon(const Body& body, double tolerance) {
   return polygon;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

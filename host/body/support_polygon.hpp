@@ -5,7 +5,7 @@
 
 #include "body/body.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 using Vec2 = Eigen::Vector2d;
 
@@ -40,4 +40,4 @@ struct SupportPolygon {
 /// The hull of any points; no corners when they have no area.
 [[nodiscard]] SupportPolygon hull_of(std::vector<Vec2> points);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

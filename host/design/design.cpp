@@ -14,7 +14,7 @@
 #include "parse.hpp"
 #include "session/other_axes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 namespace {
 
@@ -36,6 +36,16 @@ void require_metal(const BodySpec& body) {
       "--mould of a part whose shell is its densest material; expected a denser interior "
       "(--interior-density), or "
       "a filling of the voids (--void-density)");
+}
+
+/// @throws InputError  the wall is thinner than what can be printed
+void require_printable(const RunResult& run, double accuracy) {
+  const double wall = run.wall * run.length_mm;
+  if (wall < accuracy)
+    throw InputError(
+        fmt::format("a wall of {:.3g} mm is thinner than the printer's accuracy of {:.3g} mm; expected a "
+                    "thicker --wall, a larger --size or a finer --printer-accuracy",
+                    wall, accuracy));
 }
 
 /// Drills and cuts the part, always in the same places.
@@ -85,21 +95,16 @@ class Finishing {
 
 }  // namespace
 
-Design make_design(const DesignSpec& spec, const Control& control) {
+Design make_design(Session& session, const DesignSpec& spec, const Control& control) {
   Finishing finishing(spec);
   if (spec.mould) require_metal(spec.config.body);
+  if (spec.mould && spec.file.empty())
+    throw InputError("a mould of a part that is not written; expected a file for it");
   RunConfig config = spec.config;
   config.wall.to_corners = true;  // a voxel whose centre keeps the wall would stick out into it
-  Session session;
   SolvedRun run(session, config, control);
+  require_printable(run.result, spec.printer_accuracy);
   run.complete(control);
-  const double wall = run.result.wall * run.result.length_mm;
-  if (wall < spec.printer_accuracy)
-    throw InputError(
-        fmt::format("a wall of {:.3g} mm is thinner than the printer's accuracy of {:.3g} mm; expected a "
-                    "thicker --wall, a "
-                    "larger --size or a finer --printer-accuracy",
-                    wall, spec.printer_accuracy));
   Design design{};
   design.printer_accuracy = spec.printer_accuracy;
   design.part.outer = run.body().mesh;
@@ -115,7 +120,7 @@ Design make_design(const DesignSpec& spec, const Control& control) {
       };
     design.part = make_part(run, spec.file.string(), options);
     if (!cast.empty()) control.tell("mould");
-    design.moulds = write_moulds(spec.file, cast);
+    if (!cast.empty()) design.moulds = write_moulds(spec.file, cast);
     design.cuts = finishing.planes();
     design.drains = finishing.drains();
     control.tell("measure the walls");
@@ -133,7 +138,7 @@ Design make_design(const DesignSpec& spec, const Control& control) {
   double volume = 0;
   for (const WrittenMaterial& material : r.verified.materials) {
     volume += 1e3 * material.grams / material.density;
-    if (std::ranges::find(design.files, material.file) == design.files.end())
+    if (std::ranges::find(design.files, material.file) == design.files.end() && !material.file.empty())
       design.files.push_back(material.file);
   }
   design.after = figures_of(r.verified.moments, volume, r, run.problem());
@@ -142,4 +147,4 @@ Design make_design(const DesignSpec& spec, const Control& control) {
   return design;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,11 +10,11 @@
 #include "fabricate/thickness.hpp"
 #include "session/make_part.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 struct DesignSpec {
   RunConfig config;            ///< with part = written
-  std::filesystem::path file;  ///< where the part goes
+  std::filesystem::path file;  ///< where the part goes; empty: nowhere
   /// mm, the least that can be printed: no wall may be thinner, and voids of less than a cube of five times
   /// as much stay filled.
   double printer_accuracy = 0.4;
@@ -48,9 +48,9 @@ struct Design {
 /// One run, its part written and measured. Where the problem is infeasible nothing is written.
 /// @throws InputError   as run(); a wall below the printer's accuracy
 /// @throws Interrupted  nothing is written
-[[nodiscard]] Design make_design(const DesignSpec& spec, const Control& control = {});
+[[nodiscard]] Design make_design(Session& session, const DesignSpec& spec, const Control& control = {});
 
 /// As JSON, by the field names of docs/output.md.
 [[nodiscard]] std::string to_json(const Design& design);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <limits>
 
-namespace kreisel {
+namespace kreisel::core {
 
 Figures figures_of(const Moments& body, double volume, const RunResult& run, const Problem& problem) {
   const Moments s = run.model_moments(body);
   Figures f;
   f.mass = s[S1];
   f.volume = volume;
-  f.centre_of_mass = kreisel::centre_of_mass(s);
+  f.centre_of_mass = kreisel::core::centre_of_mass(s);
   f.inertia = inertia_about_centre(s);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(f.inertia);
   f.principal = solver.eigenvalues();
@@ -43,4 +43,4 @@ Residual residual_of(const Figures& figures, const RunConfig& config) {
   return {off, value("tilt_degrees"), none};
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

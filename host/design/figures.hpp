@@ -3,7 +3,7 @@
 
 #include "session/result.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Of a whole solid: model coordinates, mm and g.
 struct Figures {
@@ -33,4 +33,4 @@ struct Residual {
 /// @param figures  with the verdict of the configuration's problem
 [[nodiscard]] Residual residual_of(const Figures& figures, const RunConfig& config);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "fabricate/verify.hpp"
 #include "mesh/solid/check.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 std::vector<MaterialPart> cast_of(const std::vector<MaterialPart>& parts, double shell_density,
                                   double least) {
@@ -41,4 +41,4 @@ std::vector<WrittenMould> write_moulds(const std::filesystem::path& file,
   return moulds;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

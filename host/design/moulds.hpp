@@ -7,7 +7,7 @@
 
 #include "fabricate/mould.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A mould as it was written.
 struct WrittenMould {
@@ -29,4 +29,4 @@ struct WrittenMould {
 [[nodiscard]] std::vector<WrittenMould> write_moulds(const std::filesystem::path& file,
                                                      const std::vector<MaterialPart>& cast);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

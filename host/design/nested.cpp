@@ -22,7 +22,7 @@
 #include "run/nest_parts.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// How finely voids are carved; the height field reaches up to three pixels further than asked for.
@@ -252,4 +252,4 @@ Nested make_nested(const NestedSpec& spec, const Control& control) {
   return nested;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

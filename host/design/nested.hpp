@@ -12,7 +12,7 @@
 #include "session/pipeline.hpp"
 #include "session/provenance.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 struct NestedSpec {
   /// Outer, inner and what is within; layers; what is free, and the search; its tolerances are the printer's.
@@ -72,4 +72,4 @@ struct Nested {
 /// As JSON, by the field names of docs/output.md.
 [[nodiscard]] std::string to_json(const Nested& nested);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

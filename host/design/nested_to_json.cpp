@@ -2,7 +2,7 @@
 
 #include "design/nested.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using nlohmann::json;
@@ -75,4 +75,4 @@ std::string to_json(const Nested& nested) {
   return summary.dump(2) + "\n";
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 std::string base64(const std::vector<std::uint32_t>& words) {
@@ -95,4 +95,4 @@ std::string installed_three() {
   return text;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

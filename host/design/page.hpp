@@ -6,7 +6,7 @@
 #include "design/design.hpp"
 #include "design/nested.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// With @THREE@, @REPORT@ and @BODIES@ in place of three.js, to_json() and the meshes.
 extern const char* const page_template;
@@ -22,4 +22,4 @@ extern const char* const page_template;
 /// three.js as Debian's libjs-three installs it. @throws InputError  it is not there
 [[nodiscard]] std::string installed_three();
 
-}  // namespace kreisel
+}  // namespace kreisel::core

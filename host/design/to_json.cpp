@@ -3,7 +3,7 @@
 
 #include "design/design.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using nlohmann::json;
@@ -100,4 +100,4 @@ std::string to_json(const Design& design) {
   return summary.dump(2) + "\n";
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

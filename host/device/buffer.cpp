@@ -6,7 +6,7 @@
 
 #include "params.h"
 
-namespace kreisel::device {
+namespace kreisel::core::device {
 namespace {
 
 constexpr std::size_t smallest_block = 1024;  // hides the cost of reduce10
@@ -130,4 +130,4 @@ double PartialRows::summation_bound() const {
   return device_->single() ? (KREISEL_RUN + 1) * u + chain * chain * u * u : chain * u;
 }
 
-}  // namespace kreisel::device
+}  // namespace kreisel::core::device

@@ -7,7 +7,7 @@
 
 #include "device/device.hpp"
 
-namespace kreisel::device {
+namespace kreisel::core::device {
 
 /// Kernels take elements in groups of up to this many, so their arrays are padded to a multiple of it.
 inline constexpr std::size_t padding = 64;
@@ -80,4 +80,4 @@ void set_params(const Device& device, cl::Kernel& kernel, unsigned index, Fill&&
   }
 }
 
-}  // namespace kreisel::device
+}  // namespace kreisel::core::device

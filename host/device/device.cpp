@@ -12,7 +12,7 @@
 #include "error.hpp"
 #include "memory.hpp"
 
-namespace kreisel::device {
+namespace kreisel::core::device {
 namespace {
 
 struct Found {
@@ -149,6 +149,15 @@ Device::Device(std::string_view selector, Precision precision) {
   });
 }
 
+Device Device::with_own_queue() const {
+  Device other = *this;
+  other.pending_.clear();
+  other.seconds_ = 0;
+  checked("opening another queue of " + info_.name,
+          [&] { other.queue_ = cl::CommandQueue(context_, device_, CL_QUEUE_PROFILING_ENABLE); });
+  return other;
+}
+
 void Device::run(const cl::Kernel& kernel, std::size_t items, std::size_t group) {
   if (items == 0) return;
   const std::size_t global = (items + group - 1) / group * group;
@@ -209,4 +218,4 @@ void throw_error(std::string_view doing, const cl::Error& error) {
   throw Error(fmt::format("{}: {} gave {}", doing, error.what(), status_name(error.err())));
 }
 
-}  // namespace kreisel::device
+}  // namespace kreisel::core::device

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace kreisel::device {
+namespace kreisel::core::device {
 
 /// A failing OpenCL call: which call, its code by name, what it worked on, and the build log if there is one.
 class Error : public std::runtime_error {
@@ -47,6 +47,9 @@ enum class Precision { automatic, single };
 class Device {
  public:
   explicit Device(std::string_view selector = {}, Precision precision = Precision::automatic);
+
+  /// The same device and programs, with a queue of its own: for another thread.
+  [[nodiscard]] Device with_own_queue() const;
 
   [[nodiscard]] const Info& info() const { return info_; }
   [[nodiscard]] bool single() const { return single_; }
@@ -110,4 +113,4 @@ decltype(auto) checked(std::string_view doing, Body&& body) {
   }
 }
 
-}  // namespace kreisel::device
+}  // namespace kreisel::core::device

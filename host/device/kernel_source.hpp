@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace kreisel::device {
+namespace kreisel::core::device {
 
 struct KernelSource {
   std::string_view stem;  ///< file name without .cl
@@ -14,4 +14,4 @@ struct KernelSource {
 /// Every kernels/*.cl, sorted by stem.
 const std::vector<KernelSource>& kernel_sources();
 
-}  // namespace kreisel::device
+}  // namespace kreisel::core::device

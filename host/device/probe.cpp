@@ -13,7 +13,7 @@
 #include "device/program.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel::device {
+namespace kreisel::core::device {
 namespace {
 
 constexpr int launches = 7;
@@ -189,4 +189,4 @@ HostCeilings measure_host(std::size_t array_bytes) {
   return result;
 }
 
-}  // namespace kreisel::device
+}  // namespace kreisel::core::device

@@ -3,7 +3,7 @@
 
 #include "device/device.hpp"
 
-namespace kreisel::device {
+namespace kreisel::core::device {
 
 /// One launch of each probe, again and again: the ceilings of the very moment, when a machine's speed varies.
 class Probe {
@@ -51,4 +51,4 @@ struct HostCeilings {
 [[nodiscard]] Ceilings measure(Device& device);
 [[nodiscard]] HostCeilings measure_host(std::size_t array_bytes);
 
-}  // namespace kreisel::device
+}  // namespace kreisel::core::device

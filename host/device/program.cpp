@@ -10,7 +10,7 @@
 
 #include "device/kernel_source.hpp"
 
-namespace kreisel::device {
+namespace kreisel::core::device {
 namespace {
 
 using Binary = std::vector<unsigned char>;
@@ -108,4 +108,4 @@ cl::Program build(const Device& device, std::string_view stem, const std::string
   throw Error(fmt::format("no kernel source '{}.cl' is embedded in this program", stem));
 }
 
-}  // namespace kreisel::device
+}  // namespace kreisel::core::device

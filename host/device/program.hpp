@@ -7,7 +7,7 @@
 
 #include "device/device.hpp"
 
-namespace kreisel::device {
+namespace kreisel::core::device {
 
 /// The program of kernels/`stem`.cl for this device, in its precision, with its lanes and work-group
 /// (kernels/real.h). Built once a device.
@@ -29,4 +29,4 @@ std::filesystem::path cache_folder();
 /// Key of a binary: 32 hexadecimal digits over everything that can change it.
 std::string cache_key(const Device& device, std::string_view source, const std::string& options);
 
-}  // namespace kreisel::device
+}  // namespace kreisel::core::device

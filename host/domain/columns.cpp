@@ -12,7 +12,7 @@
 #include "mesh/query/distance.hpp"
 #include "parallel.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// The domain within a few rows of the grid.
@@ -120,4 +120,4 @@ Columns make_columns(const Body& body, const GridSpec& spec, const Wall& wall) {
   return domain;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

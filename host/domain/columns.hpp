@@ -8,7 +8,7 @@
 #include "body/body.hpp"
 #include "domain/grid.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Least distance of the interior from the surface.
 struct Wall {
@@ -52,4 +52,4 @@ struct Columns {
 ///                     interior left
 [[nodiscard]] Columns make_columns(const Body& body, const GridSpec& spec, const Wall& wall);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Side of the directed line a -> b on which (x + eps, y + eps^2) lies: +1 left, -1 right, 0 only if a == b
@@ -89,4 +89,4 @@ std::vector<std::vector<Crossing>> column_crossings(const TriangleMesh& mesh, co
   return columns;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

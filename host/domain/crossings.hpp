@@ -5,7 +5,7 @@
 
 #include "domain/grid.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// One crossing of a column's centre line with the surface.
 struct Crossing {
@@ -24,4 +24,4 @@ struct Crossing {
 /// @throws InputError  a column stays unbalanced: the mesh is not closed there
 [[nodiscard]] std::vector<std::vector<Crossing>> column_crossings(const TriangleMesh& mesh, const Grid& grid);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "error.hpp"
 #include "mesh/query/offset.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Where the winding number is positive.
@@ -68,4 +68,4 @@ ExactColumns make_exact(const Body& body, const GridSpec& spec, const Wall& wall
   return domain;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

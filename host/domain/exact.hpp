@@ -6,7 +6,7 @@
 
 #include "domain/columns.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A maximal part of a column's centre line in the interior: z0 < z1, body units.
 struct ExactInterval {
@@ -38,4 +38,4 @@ struct ExactColumns {
 /// @throws InputError  no interior left; a mesh that is not closed
 [[nodiscard]] ExactColumns make_exact(const Body& body, const GridSpec& spec, const Wall& wall);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 void require_count(int n, const char* what) {
@@ -41,4 +41,4 @@ Grid make_grid(const Box& box, const GridSpec& spec) {
   return grid;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// How fine: cells along the longest side, or the whole grid as the papers print it.
 struct GridSpec {
@@ -33,4 +33,4 @@ struct Grid {
 /// @throws InputError  a count outside [2, 1024]
 [[nodiscard]] Grid make_grid(const Box& box, const GridSpec& spec);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr int block_edge = 8;
@@ -101,4 +101,4 @@ void CellRows::remove_shell(const SurfaceDistance& distance, double shell, const
   }
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

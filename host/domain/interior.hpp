@@ -9,7 +9,7 @@
 #include "domain/grid.hpp"
 #include "mesh/query/distance.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Cells of a few neighbouring rows (all x, all z): first those of the solid, later those of the interior.
 class CellRows {
@@ -52,4 +52,4 @@ class CellRows {
   std::vector<std::uint8_t> cells_;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

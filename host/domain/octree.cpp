@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// The bits of a number, two zeros between each and the next.
@@ -133,4 +133,4 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> shared_faces(std::span<cons
   return Faces(cubes, levels).walk();
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

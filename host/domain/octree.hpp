@@ -9,7 +9,7 @@
 
 #include "domain/grid.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A cube of a grid's cells: one node of an octree. Its edge is a power of two and its corner a multiple of
 /// the edge, so cubes are disjoint or one holds the other.
@@ -44,4 +44,4 @@ struct Cube {
 [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> shared_faces(std::span<const Cube> cubes,
                                                                                 int levels);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 
 #include "body/source.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 std::vector<std::string> models_of(const ExperimentRun& run) {
   if (!run.nest) return {run.config.body.model};
@@ -28,4 +28,4 @@ std::string text_of_absent(const ExperimentRun& run) {
                      fmt::join(absent, ", no "), models_folder().string());
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "experiment/experiment.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The shapes that a run names, models and files, each once.
 [[nodiscard]] std::vector<std::string> models_of(const ExperimentRun& run);
@@ -15,4 +15,4 @@ namespace kreisel {
 /// in models; --models names another". Empty where all are there. Whether one can be read is seen when it is.
 [[nodiscard]] std::string text_of_absent(const ExperimentRun& run);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

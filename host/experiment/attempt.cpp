@@ -18,7 +18,7 @@
 #include "record/nest_record.hpp"
 #include "record/record.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace fs = std::filesystem;
 namespace {
 
@@ -185,4 +185,4 @@ RunState state_of(const PlannedRun& run) {
   return RunState::finished;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

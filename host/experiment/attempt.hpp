@@ -6,7 +6,7 @@
 
 #include "experiment/runner.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// What the runner asks of a run, whichever kind it is. Destroyed before keep(), it leaves nothing.
 class Attempt {
@@ -36,4 +36,4 @@ class Attempt {
 /// What is on disk for it. @throws InputError  a record that cannot be read
 [[nodiscard]] RunState state_of(const PlannedRun& run);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Sheet empty_sheet(bool labels) {
@@ -58,4 +58,4 @@ Tables certificate_tables(const std::vector<RecordedRun>& runs, const std::optio
   return tables;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

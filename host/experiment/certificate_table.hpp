@@ -6,11 +6,11 @@
 
 #include "experiment/table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A row a run: objective, certified bound, gap in per cent, boxes solved on the way and seconds of the
 /// certificate, which are not part of the solve's. "-" where a run was not certified.
 [[nodiscard]] Tables certificate_tables(const std::vector<RecordedRun>& runs,
                                         const std::optional<Published>& published);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -21,7 +21,7 @@
 
 extern char** environ;
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -135,4 +135,4 @@ fs::path program_beside(const char* name) {
   return path;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

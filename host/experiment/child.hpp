@@ -7,7 +7,7 @@
 
 #include "session/config.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// "more than 8 GB", "more than 600 s": why a run was ended, as its record and the tables say it.
 [[nodiscard]] std::string memory_limit_text(const Limits& limits);
@@ -33,4 +33,4 @@ struct ChildEnd {
 /// A program that lies beside this one. @throws InputError  it does not
 [[nodiscard]] std::filesystem::path program_beside(const char* name);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "error.hpp"
 #include "unknown_name.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace fs = std::filesystem;
 namespace {
 
@@ -68,4 +68,4 @@ fs::path figure_file(std::string_view name) {
   return find_file("figure", name, ".py", {data_folder() / "plots"});
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

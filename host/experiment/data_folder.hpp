@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The folder of the data that comes with the program: $KREISEL_DATA when set, else ../share/kreisel beside
 /// the folder of the executable, else the source tree the program was built from.
@@ -22,4 +22,4 @@ namespace kreisel {
 /// @throws InputError  no such file; names the nearest
 [[nodiscard]] std::filesystem::path figure_file(std::string_view name);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

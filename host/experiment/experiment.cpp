@@ -16,7 +16,7 @@
 #include "session/field_names.hpp"
 #include "unknown_name.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace fs = std::filesystem;
 namespace {
 
@@ -337,4 +337,4 @@ std::vector<std::string> experiment_names() {
   return names;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "run/nest_config.hpp"
 #include "session/config.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// One run of an experiment: a solve or a map, or a nesting.
 struct ExperimentRun {
@@ -56,4 +56,4 @@ struct Experiment {
 /// Names that find_experiment() accepts, sorted.
 [[nodiscard]] std::vector<std::string> experiment_names();
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Eigen::Matrix3d;
@@ -107,4 +107,4 @@ Tables inertia_tables(const std::vector<RecordedRun>& runs, const std::optional<
   return tables;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

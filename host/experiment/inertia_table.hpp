@@ -6,7 +6,7 @@
 
 #include "experiment/table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A block a run with the tensor about the centre of mass, axes of the body frame, of the solid, of the
 /// optimum, of the part as it was written, and of the paper's body where it prints one. In g cm^2 and, so
@@ -15,4 +15,4 @@ namespace kreisel {
 [[nodiscard]] Tables inertia_tables(const std::vector<RecordedRun>& runs,
                                     const std::optional<Published>& published);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

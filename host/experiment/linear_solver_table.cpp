@@ -7,7 +7,7 @@
 #include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 struct Row {
@@ -100,4 +100,4 @@ Tables linear_solver_tables(const std::vector<RecordedRun>& runs, const std::opt
           provenance_text(runs) + '\n'};
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "experiment/table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A row a body, grid, formulation and label, solved by MUMPS (`ipopt.linear_solver=mumps`) and by our own:
 /// seconds, iterations, milliseconds an iteration of each, how many times faster, and how far the objectives
@@ -14,4 +14,4 @@ namespace kreisel {
 [[nodiscard]] Tables linear_solver_tables(const std::vector<RecordedRun>& runs,
                                           const std::optional<Published>& published);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

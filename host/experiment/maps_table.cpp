@@ -5,7 +5,7 @@
 #include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Sheet empty_sheet() {
@@ -85,4 +85,4 @@ Tables maps_tables(const std::vector<RecordedRun>& runs, const std::optional<Pub
           provenance_text(runs) + '\n'};
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

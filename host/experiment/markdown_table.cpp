@@ -10,7 +10,7 @@
 #include "error.hpp"
 #include "unknown_name.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr std::size_t line_width = 120;
@@ -144,4 +144,4 @@ std::string to_markdown(const Tables& tables, const Selection& selection) {
   return text;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 
 #include "experiment/sheet.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// What a file shows of them.
 struct Selection {
@@ -23,4 +23,4 @@ struct Selection {
 /// @throws InputError  no block that begins so, or no column of that name; lists those there are
 [[nodiscard]] std::string to_markdown(const Tables& tables, const Selection& selection = {});
 
-}  // namespace kreisel
+}  // namespace kreisel::core

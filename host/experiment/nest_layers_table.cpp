@@ -1,7 +1,7 @@
 #include "experiment/nest_table.hpp"
 #include "experiment/nest_table_parts.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Sheet layers_sheet() {
@@ -88,4 +88,4 @@ Tables nest_landscape_tables(const std::vector<RecordedRun>& runs, const std::op
               provenance_of_nestings(runs)};
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -4,7 +4,7 @@
 
 #include "experiment/nest_table_parts.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr std::array timed = {"peel", "envelope", "hybrid"};
@@ -147,4 +147,4 @@ Tables nest_accuracy_tables(const std::vector<RecordedRun>& runs, const std::opt
   return tables;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "experiment/table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A row a nesting, beside a paper's row of the same label, as far as a comma. What is called a stand-in has
 /// another shape than the paper's: the paper's scale stands in parentheses beside it.
@@ -31,4 +31,4 @@ namespace kreisel {
 /// "defaults" where it has nothing of that.
 [[nodiscard]] std::vector<std::string> settings_of_search(const std::vector<RecordedRun>& runs);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "experiment/run_text.hpp"
 #include "experiment/table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 [[nodiscard]] inline bool has_nesting(const RecordedRun& run) { return run.nest && run.nest->error.empty(); }
 
@@ -33,4 +33,4 @@ namespace kreisel {
   return all;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "experiment/nest_table.hpp"
 #include "experiment/nest_table_parts.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// All seeds of one setting.
@@ -138,4 +138,4 @@ Tables nest_variants_tables(const std::vector<RecordedRun>& runs, const std::opt
   return tables;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

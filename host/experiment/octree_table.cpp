@@ -7,7 +7,7 @@
 #include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Sheet empty_sheet() {
@@ -71,4 +71,4 @@ Tables octree_tables(const std::vector<RecordedRun>& runs, const std::optional<P
               provenance_text(runs) + '\n'};
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

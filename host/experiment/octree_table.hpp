@@ -6,7 +6,7 @@
 
 #include "experiment/table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A row a run: finest cells, variables as a share of them, those along the voids, rounds, seconds of the
 /// optimisation and from the model to the verified part, memory, objective at the optimum and of the rounded
@@ -14,4 +14,4 @@ namespace kreisel {
 [[nodiscard]] Tables octree_tables(const std::vector<RecordedRun>& runs,
                                    const std::optional<Published>& published);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

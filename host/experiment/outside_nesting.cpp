@@ -9,7 +9,7 @@
 #include "experiment/run_text.hpp"
 #include "record/nest_record.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,4 +47,4 @@ std::string OutsideNesting::text() const {
                      nest.scale, nest.evaluations, nest.search_seconds);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "experiment/attempt.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Calls the program nest_baseline, which lies beside this one and writes the record. With pagmo's libraries
 /// `bench` itself would no longer start in little memory.
@@ -23,4 +23,4 @@ class OutsideNesting final : public Attempt {
   bool whole_ = false;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "memory.hpp"
 #include "record/record.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ void OutsideSolve::keep() {
         fmt::format("{}: {}, expected to keep the record there", run_.record.string(), error.message()));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "experiment/attempt.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Has `bench`, which lies beside this program, make the run and write its record; it is ended where it takes
 /// more than the run's limits. [Limits]
@@ -25,4 +25,4 @@ class OutsideSolve final : public Attempt {
   bool whole_ = false, converged_ = false;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

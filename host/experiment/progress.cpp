@@ -9,7 +9,7 @@
 
 #include "experiment/run_text.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Work of a run relative to others of its formulation: cells^1.2. An iteration costs about as much as there
@@ -149,4 +149,4 @@ void ProgressLine::erase() {
   std::fflush(out_);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

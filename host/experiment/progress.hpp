@@ -13,7 +13,7 @@
 
 #include "experiment/experiment.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A run to come: what it is called, which are like it, and how much work it is beside those.
 struct Effort {
@@ -80,4 +80,4 @@ class ProgressLine {
   std::jthread ticker_;  ///< last: joined before the rest goes
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

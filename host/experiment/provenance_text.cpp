@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// What the three kinds of records have in common.
@@ -66,4 +66,4 @@ std::string provenance_text(const std::vector<RecordedRun>& runs) {
   return text;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

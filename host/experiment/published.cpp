@@ -8,7 +8,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 std::optional<PublishedRow::Side> side(const nlohmann::json& row, const char* name) {
@@ -92,4 +92,4 @@ Published read_published(const std::filesystem::path& file) {
   }
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// One row of a published table; what the table has not is empty.
 struct PublishedRow {
@@ -64,4 +64,4 @@ struct Published {
 /// @throws InputError  unreadable, not JSON, or a field missing or of another type; names file and fault
 [[nodiscard]] Published read_published(const std::filesystem::path& file);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 std::optional<PublishedRow::Side> side_of(const RecordedRun& run, const PublishedRow* row) {
@@ -93,4 +93,4 @@ Tables published_tables(const std::vector<RecordedRun>& runs, const std::optiona
   return tables;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "experiment/table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A block a label, a row a run, in the order of the file. A run is joined with the published row of its
 /// model, grid and problem, and there with the side of its formulation; where there is none, the paper's
@@ -14,4 +14,4 @@ namespace kreisel {
 [[nodiscard]] Tables published_tables(const std::vector<RecordedRun>& runs,
                                       const std::optional<Published>& published);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

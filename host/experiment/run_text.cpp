@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace kreisel {
+namespace kreisel::core {
 
 std::string grid_text(const GridSpec& grid) {
   if (!grid.cells) return fmt::format("{}", grid.resolution);
@@ -32,4 +32,4 @@ std::string run_text(const ExperimentRun& run) {
   return fmt::format("{} {} {} seed {}{}", shapes, nest.swarm, nest.free, nest.search.swarm.seed, label);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "experiment/experiment.hpp"
 #include "session/config.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// "80x52x51", or "64" when only the longest side is given.
 [[nodiscard]] std::string grid_text(const GridSpec& grid);
@@ -20,4 +20,4 @@ namespace kreisel {
 /// The stem of a mesh file, or the name of a model.
 [[nodiscard]] std::string model_text(const RunConfig& config);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

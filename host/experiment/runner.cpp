@@ -16,7 +16,7 @@
 #include "record/nest_record.hpp"
 #include "record/record.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace fs = std::filesystem;
 namespace {
 
@@ -172,4 +172,4 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
   return counts;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -13,7 +13,7 @@
 #include "session/orientation_map.hpp"
 #include "session/pipeline.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 struct RunnerOptions {
   std::filesystem::path results = "results/runs";  ///< records lie in <results>/<experiment name>/
@@ -23,7 +23,8 @@ struct RunnerOptions {
 
 /// What the runner calls; tests put their own in place.
 struct RunnerHooks {
-  std::function<RunOutput(const RunConfig&, const std::string& mesh_file, const Control&)> run = kreisel::run;
+  std::function<RunOutput(const RunConfig&, const std::string& mesh_file, const Control&)> run =
+      kreisel::core::run;
   std::function<OrientationMap(const RunConfig&, const Control&)> map = [](const RunConfig& config,
                                                                            const Control& control) {
     Session session;
@@ -88,4 +89,4 @@ struct RunCounts {
 RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& options = {},
                          const RunnerHooks& hooks = {});
 
-}  // namespace kreisel
+}  // namespace kreisel::core

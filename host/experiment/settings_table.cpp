@@ -11,7 +11,7 @@
 #include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Fields = std::map<std::string, std::string>;
@@ -202,4 +202,4 @@ Tables formulations_tables(const std::vector<RecordedRun>& runs, const std::opti
   return tables_by(By::formulation, runs);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "experiment/table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A block for every model, grid, problem and formulation, a row a run, in the order of the file. A row is
 /// named by the fields in which the runs of its block differ, "defaults" where it sets none of them; what all
@@ -20,4 +20,4 @@ namespace kreisel {
 [[nodiscard]] Tables formulations_tables(const std::vector<RecordedRun>& runs,
                                          const std::optional<Published>& published);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace kreisel {
+namespace kreisel::core {
 
 Cell Cell::of(const std::optional<double>& value, fmt::format_string<const double&> format) {
   if (!value || std::isnan(*value)) return none();
@@ -70,4 +70,4 @@ std::string to_csv(const Tables& tables) {
   return csv;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 
 #include "experiment/text_table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A value as people read it and as programs do.
 struct Cell {
@@ -73,4 +73,4 @@ struct Tables {
 /// The rows of all blocks under one heading line; missing values are empty.
 [[nodiscard]] std::string to_csv(const Tables& tables);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "physics/spin_check.hpp"
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -109,4 +109,4 @@ Tables simulation_tables(const std::vector<RecordedRun>& runs, const std::option
           near_axis, provenance_text(runs))};
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "experiment/table_parts.hpp"
 #include "experiment/text_table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A model and grid, solved two ways, or three. Sides point into the list of runs; nullptr: not in the
@@ -250,4 +250,4 @@ Tables speedup_tables(const std::vector<RecordedRun>& runs, const std::optional<
   return tables;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "experiment/published.hpp"
 #include "experiment/table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// One table a label, in the order of first appearance; one row a model and grid, in the order of the paper
 /// where it has them, else of the file. Sides without a record show "-"; what is not optimal is marked "!"
@@ -17,4 +17,4 @@ namespace kreisel {
 [[nodiscard]] Tables speedup_tables(const std::vector<RecordedRun>& runs,
                                     const std::optional<Published>& published);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

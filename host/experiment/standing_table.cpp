@@ -5,7 +5,7 @@
 #include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Sheet empty_sheet() {
@@ -95,4 +95,4 @@ Tables standing_tables(const std::vector<RecordedRun>& runs, const std::optional
   return tables;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

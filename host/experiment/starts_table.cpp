@@ -10,7 +10,7 @@
 #include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 struct TaskRuns {
@@ -143,4 +143,4 @@ Tables starts_tables(const std::vector<RecordedRun>& runs, const std::optional<P
   return tables;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "experiment/table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A row a task: the runs that differ in `moment.seed` alone. How many end at the lowest objective of them,
 /// to 1e-6 relative and as optimal; starts per such end; medians and ranges of iterations, evaluations and
@@ -12,4 +12,4 @@ namespace kreisel {
 [[nodiscard]] Tables starts_tables(const std::vector<RecordedRun>& runs,
                                    const std::optional<Published>& published);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -26,7 +26,7 @@
 #include "experiment/voids_table.hpp"
 #include "unknown_name.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 const std::vector<TableKind>& table_kinds() {
   static const std::vector<TableKind> all = {
@@ -149,4 +149,4 @@ Tables runs_tables(const std::vector<RecordedRun>& runs, const std::optional<Pub
   return {{{"", std::move(sheet), errors}}, provenance_text(runs) + '\n'};
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -14,7 +14,7 @@
 #include "record/nest_record.hpp"
 #include "record/record.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A run of an experiment with what is on record for it.
 struct RecordedRun {
@@ -64,4 +64,4 @@ struct TableKind {
 [[nodiscard]] Tables runs_tables(const std::vector<RecordedRun>& runs,
                                  const std::optional<Published>& published);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

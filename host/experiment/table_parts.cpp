@@ -8,7 +8,7 @@
 
 #include "experiment/run_text.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 double quantile(const std::vector<double>& sorted, double q) {
@@ -117,4 +117,4 @@ SolveCells::SolveCells(const RecordedRun& run) {
   commit = r.commit;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "experiment/provenance_text.hpp"
 #include "experiment/table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Half the interquartile range of `solve` over the samples, quartiles interpolated linearly; 0 for one
 /// sample.
@@ -75,4 +75,4 @@ Item& find_or_add(std::vector<Item>& items, Matches matches, Make make) {
   return at != items.end() ? *at : items.emplace_back(make());
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

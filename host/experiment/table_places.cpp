@@ -6,7 +6,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr std::string_view opening = "<!-- table:", closing = "<!-- end -->", closes = "-->";
@@ -120,4 +120,4 @@ std::string fill_places(const std::string& text, const std::filesystem::path& fi
   return out + text.substr(copied);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

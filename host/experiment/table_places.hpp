@@ -9,7 +9,7 @@
 
 #include "experiment/markdown_table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A place of a file. Marks stand at the beginning of a line of their own:
 ///
@@ -39,4 +39,4 @@ struct TablePlace {
     const std::string& text, const std::filesystem::path& file,
     const std::function<std::optional<std::string>(const TablePlace& place)>& content_of);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 std::size_t width_of(const std::string& text) {
@@ -109,4 +109,4 @@ std::string csv_line(const std::vector<std::string>& cells) {
   return line + '\n';
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

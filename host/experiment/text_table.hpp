@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Columns as wide as their longest cell. Neighbours of the same group stand under its name, groups are
 /// parted by a bar. Widths count UTF-8 code points.
@@ -32,4 +32,4 @@ class TextTable {
 /// One line of CSV (RFC 4180, but a plain newline at its end).
 [[nodiscard]] std::string csv_line(const std::vector<std::string>& cells);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "experiment/table_parts.hpp"
 #include "problem/spinning.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// @param tops  any of the runs is of a problem with a least speed
@@ -109,4 +109,4 @@ Tables top_tables(const std::vector<RecordedRun>& runs, const std::optional<Publ
   return tables;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

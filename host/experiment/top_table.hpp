@@ -6,7 +6,7 @@
 
 #include "experiment/table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A block a label, a row a run: of the solid and of the part as written, height of the centre of mass, Izz
 /// over the next principal moment and the least speed of a stable spin [SpinIt, eq. 1]; how far the solid's
@@ -14,4 +14,4 @@ namespace kreisel {
 [[nodiscard]] Tables top_tables(const std::vector<RecordedRun>& runs,
                                 const std::optional<Published>& published);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Sheet empty_sheet() {
@@ -87,4 +87,4 @@ Tables voids_tables(const std::vector<RecordedRun>& runs, const std::optional<Pu
   return tables;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,11 +3,11 @@
 
 #include "experiment/table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// "voids": a row a run: voids, islands and cuts of the written part, and the paper's of that model and
 /// label.
 [[nodiscard]] Tables voids_tables(const std::vector<RecordedRun>& runs,
                                   const std::optional<Published>& published);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -15,7 +15,7 @@
 #include "mesh/query/distance.hpp"
 #include "mesh/solid/repair.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// The middle of the widest gap between the heights of vertices, of those within `reach` of `wanted`.
@@ -212,4 +212,4 @@ std::vector<MaterialPart> cut_in_halves(const TriangleMesh& solid, const HalfVoi
   return parts;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "fabricate/parts.hpp"
 #include "fabricate/voids.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Loose pins that align two halves: each sits in a hole in either.
 struct Pegs {
@@ -45,4 +45,4 @@ struct HalfVoids {
                                                       const Cut& plane, double density,
                                                       const Pegs& pegs = {});
 
-}  // namespace kreisel
+}  // namespace kreisel::core

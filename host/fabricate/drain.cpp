@@ -17,7 +17,7 @@
 #include "mesh/query/distance.hpp"
 #include "mesh/solid/components.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// How far a surface may lean against a hole's cross-section: normals within 60 degrees of its axis.
@@ -255,4 +255,4 @@ TriangleMesh drained(const TriangleMesh& outer, const TriangleMesh& cavity, cons
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "fabricate/parts.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Where a hole is drilled: from a point of the outer surface inwards.
 struct Drain {
@@ -30,4 +30,4 @@ struct Drain {
 [[nodiscard]] TriangleMesh drained(const TriangleMesh& outer, const TriangleMesh& cavity,
                                    const std::vector<Drain>& drains, double radius);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

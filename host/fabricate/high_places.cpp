@@ -7,7 +7,7 @@
 
 #include "mesh/query/sides.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Whether the solid is below a vertex: its triangles face upward, as a whole.
@@ -70,4 +70,4 @@ std::vector<Vec3> high_places(const TriangleMesh& solid, double least) {
   return places;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

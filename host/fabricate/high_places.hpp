@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The highest points of a solid and of its humps, seen along z, the highest first: what rises in the solid
 /// ends there. A hump counts when it rises by at least `least` above the saddle over which it can be left
@@ -14,4 +14,4 @@ namespace kreisel {
 /// @param solid  closed, normals outward; all of one shell
 [[nodiscard]] std::vector<Vec3> high_places(const TriangleMesh& solid, double least);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

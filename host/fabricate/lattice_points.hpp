@@ -7,7 +7,7 @@
 #include "domain/exact.hpp"
 #include "mesh/make/march.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Calls visit(CubicLattice::Index) for every point of the lattice that is inside the mesh and at least
 /// `depth` from its surface, by the exact offset along the lattice's vertical lines.
@@ -32,4 +32,4 @@ void for_each_inside(const TriangleMesh& mesh, double depth, const CubicLattice&
   }
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

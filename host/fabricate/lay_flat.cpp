@@ -8,7 +8,7 @@
 #include "mesh/make/refill_ends.hpp"
 #include "mesh/solid/repair.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Of all its surfaces, turned.
@@ -54,4 +54,4 @@ std::vector<TriangleMesh> laid_surfaces(const MaterialPart& part) {
   return surfaces;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "fabricate/parts.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Sets where each part is written: turned so that its cut lies at z = 0, a part without a cut as it stands
 /// on its lowest point, one beside the other along x.
@@ -16,4 +16,4 @@ void lay_flat(std::vector<MaterialPart>& parts, double gap = 5);
 /// precision made of them in model coordinates.
 [[nodiscard]] std::vector<TriangleMesh> laid_surfaces(const MaterialPart& part);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

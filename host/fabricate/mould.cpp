@@ -17,7 +17,7 @@
 #include "mesh/make/prism.hpp"
 #include "mesh/solid/components.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 double volume_of(const TriangleMesh& mesh) { return reference::mesh_moments(mesh).value[S1]; }
@@ -142,4 +142,4 @@ Mould mould_of(const TriangleMesh& casting) {
   return mould;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "fabricate/cut_part.hpp"
 #include "fabricate/parting.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A mould to cast a solid in: a block with the solid as its cavity, a sprue to pour through and vents for
 /// the air, in two halves with pins that align them.
@@ -36,4 +36,4 @@ struct Mould {
 /// @param casting  closed, one shell, mm
 [[nodiscard]] Mould mould_of(const TriangleMesh& casting);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "mesh/query/surface_rays.hpp"
 #include "parallel.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// The casting on one line along the direction: where it begins and ends, and begins again.
@@ -112,4 +112,4 @@ double undercut(const TriangleMesh& casting, const Vec3& normal, double offset, 
   return Lines(casting, SurfaceRays(casting), normal.normalized(), across).undercut(offset);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

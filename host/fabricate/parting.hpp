@@ -3,7 +3,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A flat parting: the halves of a mould meet in normal . x = offset and are drawn apart along the normal.
 struct Parting {
@@ -22,4 +22,4 @@ struct Parting {
 /// How much a parting holds back. @param rays  across the casting's longer side
 [[nodiscard]] double undercut(const TriangleMesh& casting, const Vec3& normal, double offset, int rays = 96);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "fabricate/void_surface.hpp"
 #include "mesh/solid/separate_edges.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TriangleMesh turned_over(TriangleMesh mesh) {
@@ -74,4 +74,4 @@ std::vector<MaterialPart> parts_of(const Body& body, const Inside& inside) {
   return parts;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

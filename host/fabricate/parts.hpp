@@ -9,7 +9,7 @@
 #include "fabricate/quadric_cavity.hpp"
 #include "formulation/voxel_set.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// What is inside a body's outer surface; body frame and units.
 struct Inside {
@@ -48,4 +48,4 @@ struct MaterialPart {
 /// Those without a surface are left out. Model coordinates, mm.
 [[nodiscard]] std::vector<MaterialPart> parts_of(const Body& body, const Inside& inside);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

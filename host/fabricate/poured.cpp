@@ -7,7 +7,7 @@
 #include "mesh/make/march.hpp"
 #include "mesh/query/surface_rays.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Index = CubicLattice::Index;
@@ -66,4 +66,4 @@ TriangleMesh poured(const TriangleMesh& casting, const std::vector<Channel>& cha
   });
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// An upright round channel.
 struct Channel {
@@ -21,4 +21,4 @@ struct Channel {
 [[nodiscard]] TriangleMesh poured(const TriangleMesh& casting, const std::vector<Channel>& channels,
                                   double cell);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -12,7 +12,7 @@
 #include "fabricate/lattice_points.hpp"
 #include "parallel.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Index = CubicLattice::Index;
@@ -197,4 +197,4 @@ TriangleMesh quadric_cavity(const Body& body, double wall, const Moments& q, dou
   return CavityMesher(body, wall, cell)(q);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

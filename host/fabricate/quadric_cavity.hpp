@@ -10,7 +10,7 @@
 #include "mesh/make/march.hpp"
 #include "mesh/query/distance.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Meshes the boundary of { depth >= wall, q >= 0 }: everything of the interior that a quadric does not fill.
 ///
@@ -53,4 +53,4 @@ class CavityMesher {
 /// One mesh by a mesher of its own.
 [[nodiscard]] TriangleMesh quadric_cavity(const Body& body, double wall, const Moments& q, double cell);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

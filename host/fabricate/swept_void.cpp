@@ -8,7 +8,7 @@
 
 #include "parallel.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double none = -std::numeric_limits<double>::infinity();
@@ -292,4 +292,4 @@ TriangleMesh swept_void(const TriangleMesh& shape, const WayOff& way, double cle
   return Solid(field, view, below).mesh();
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// How one half of a cut shape leaves another shape behind.
 struct WayOff {
@@ -27,4 +27,4 @@ struct WayOff {
 [[nodiscard]] TriangleMesh swept_void(const TriangleMesh& shape, const WayOff& way, double clearance,
                                       double pixel, double below);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "mesh/query/surface_rays.hpp"
 #include "parallel.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 ThinPlace thinnest_material(const TriangleMesh& outer, const TriangleMesh& cavity) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -34,4 +34,4 @@ ThinPlace thinnest_material(const TriangleMesh& outer, const TriangleMesh& cavit
   return *std::ranges::min_element(thinnest, {}, &ThinPlace::thickness);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

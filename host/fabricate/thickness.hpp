@@ -3,7 +3,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Where a part is thinnest.
 struct ThinPlace {
@@ -17,4 +17,4 @@ struct ThinPlace {
 /// meshes.
 [[nodiscard]] ThinPlace thinnest_material(const TriangleMesh& outer, const TriangleMesh& cavity);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

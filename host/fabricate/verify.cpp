@@ -8,6 +8,8 @@
 #include "body/mesh_moments.hpp"
 #include "error.hpp"
 #include "fabricate/lay_flat.hpp"
+#include "geometry/single_precision.hpp"
+#include "mesh/io/encode.hpp"
 #include "mesh/io/format.hpp"
 #include "mesh/io/read.hpp"
 #include "mesh/io/write.hpp"
@@ -15,7 +17,7 @@
 #include "mesh/solid/check.hpp"
 #include "mesh/solid/separate_edges.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 std::filesystem::path file_of_part(const std::filesystem::path& path, std::string_view name) {
   if (mesh_format(path).encode_objects || name == "part" || name == "shell") return path;
@@ -53,26 +55,54 @@ TriangleMesh WrittenReader::next(WrittenMaterial& material) {
   return mesh;
 }
 
-WrittenPart verify_written(std::vector<WrittenMaterial> materials, const Body& body, const Problem& problem) {
+namespace {
+
+/// Adds a solid to the part. @throws InputError  it is none
+void add_solid(WrittenPart& part, WrittenMaterial& material, const TriangleMesh& mesh, const Body& body,
+               const std::string& name) {
+  require_solid(mesh, name);
+  const Moments own =
+      material.density / body.density * reference::mesh_moments(to_body(body.frame, mesh)).value;
+  material.grams = own[S1] * body.mass_grams();
+  part.moments += own;
+}
+
+/// @param add  adds the solid of that number, with its material
+template <class Add>
+WrittenPart judged(std::vector<WrittenMaterial> materials, const Body& body, const Problem& problem,
+                   const Add& add) {
   WrittenPart part;
   part.materials = std::move(materials);
-  WrittenReader reader;
-  for (WrittenMaterial& material : part.materials) {
-    try {
-      const TriangleMesh mesh = reader.next(material);
-      require_solid(mesh, material.file.filename().string());
-      const Moments own =
-          material.density / body.density * reference::mesh_moments(to_body(body.frame, mesh)).value;
-      material.grams = own[S1] * body.mass_grams();
-      part.moments += own;
+  for (std::size_t i = 0; i < part.materials.size(); ++i) try {
+      add(part, i);
     } catch (const InputError& error) {
       part.verdict.text = fmt::format("the written mesh is not a solid: {}", error.what());
       return part;
     }
-  }
   part.moments += body.added;
   part.verdict = problem.verify(part.moments, body.frame.length);
   return part;
 }
 
-}  // namespace kreisel
+}  // namespace
+
+WrittenPart verify_written(std::vector<WrittenMaterial> materials, const Body& body, const Problem& problem) {
+  WrittenReader reader;
+  return judged(std::move(materials), body, problem, [&](WrittenPart& part, std::size_t i) {
+    WrittenMaterial& material = part.materials[i];
+    const TriangleMesh mesh = reader.next(material);
+    add_solid(part, material, mesh, body, material.file.filename().string());
+  });
+}
+
+WrittenPart verify_made(const std::vector<MaterialPart>& parts, const Body& body, const Problem& problem) {
+  std::vector<WrittenMaterial> materials;
+  for (const MaterialPart& part : parts) materials.push_back({part.name, part.density, {}, 0, 0, part.laid});
+  return judged(std::move(materials), body, problem, [&](WrittenPart& part, std::size_t i) {
+    const TriangleMesh mesh = in_single_precision(joined(parts[i].surfaces, parts[i].name));
+    part.materials[i].triangles = mesh.triangles.size();
+    add_solid(part, part.materials[i], mesh, body, parts[i].name);
+  });
+}
+
+}  // namespace kreisel::core

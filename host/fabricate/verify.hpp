@@ -9,7 +9,7 @@
 #include "fabricate/parts.hpp"
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// One material of a part, as it was written.
 struct WrittenMaterial {
@@ -58,4 +58,8 @@ class WrittenReader {
 [[nodiscard]] WrittenPart verify_written(std::vector<WrittenMaterial> materials, const Body& body,
                                          const Problem& problem);
 
-}  // namespace kreisel
+/// The same of a part that is not written: as a file in single precision would hold it.
+[[nodiscard]] WrittenPart verify_made(const std::vector<MaterialPart>& parts, const Body& body,
+                                      const Problem& problem);
+
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 #include <array>
 #include <unordered_map>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Void flags over the whole grid; cells outside it count as solid.
@@ -96,4 +96,4 @@ TriangleMesh void_surface(const VoxelSet& solid) {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -12,7 +12,7 @@
 #include "mesh/io/encode.hpp"
 #include "mesh/solid/components.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Where a void begins and ends along a direction.
@@ -179,4 +179,4 @@ std::string Voids::text() const {
                      fmt::join(planes, "; "));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 
 #include "body/body.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A plane that opens what it runs through: normal . x = offset.
 struct Cut {
@@ -45,4 +45,4 @@ struct Voids {
 /// The surfaces of a cavity that enclose at least so much; what is smaller is no void any more, or no island.
 [[nodiscard]] TriangleMesh without_small_shells(const TriangleMesh& cavity, double least_volume);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

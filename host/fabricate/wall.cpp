@@ -7,7 +7,7 @@
 #include "mesh/query/distance.hpp"
 #include "parallel.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 namespace {
 
@@ -68,4 +68,4 @@ double least_wall_within(const TriangleMesh& outer, const TriangleMesh& part, do
   return least.result();
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

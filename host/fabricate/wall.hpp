@@ -3,7 +3,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The least distance of a cavity's surface from the outer surface, in the unit of the meshes: exact at the
 /// cavity's vertices and in the middle of every triangle. Infinite without a cavity.
@@ -16,4 +16,4 @@ namespace kreisel {
 /// farther from it than `skin`. Infinite where there is none.
 [[nodiscard]] double least_wall_within(const TriangleMesh& outer, const TriangleMesh& part, double skin);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "mesh/solid/check.hpp"
 #include "mesh/solid/separate_edges.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 std::vector<std::filesystem::path> write_halves(const std::filesystem::path& file,
                                                 const std::vector<TriangleMesh>& parts, Frame frame,
@@ -36,4 +36,4 @@ std::vector<std::filesystem::path> write_halves(const std::filesystem::path& fil
   return files;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

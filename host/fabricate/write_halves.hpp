@@ -7,7 +7,7 @@
 #include "body/axle.hpp"
 #include "body/frame.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Writes STEM-upper, STEM-lower and STEM-axle beside `file`, in its format, and reads each again: they are
 /// watertight solids.
@@ -20,4 +20,4 @@ std::vector<std::filesystem::path> write_halves(const std::filesystem::path& fil
                                                 const std::vector<TriangleMesh>& parts, Frame frame,
                                                 const Axle& axle);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

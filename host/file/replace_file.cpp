@@ -5,7 +5,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace fs = std::filesystem;
 
 namespace {
@@ -38,4 +38,4 @@ void replace_file(const fs::path& path, const std::function<void(const fs::path&
   if (error) throw InputError(fmt::format("{}: {}, expected a file name", path.string(), error.message()));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

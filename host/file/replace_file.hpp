@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <functional>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Lets `write` fill a temporary name in the folder of `path`, then renames it to `path`. Creates the folder.
 /// Whatever goes wrong, an earlier file at `path` stays as it was and no temporary file is left.
@@ -13,4 +13,4 @@ namespace kreisel {
 void replace_file(const std::filesystem::path& path,
                   const std::function<void(const std::filesystem::path& temporary)>& write);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

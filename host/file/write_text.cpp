@@ -7,7 +7,7 @@
 #include "error.hpp"
 #include "file/replace_file.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 void write_text(const std::filesystem::path& path, const std::string& text) {
   replace_file(path, [&](const std::filesystem::path& temporary) {
@@ -23,4 +23,4 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
   });
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "cell_moments_params.h"
 #include "device/program.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using device::checked;
@@ -168,4 +168,4 @@ std::vector<Moments> cell_moments(const Columns& domain, std::span<const Cube> c
 }
 
 }  // namespace reference
-}  // namespace kreisel
+}  // namespace kreisel::core

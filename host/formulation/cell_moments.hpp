@@ -11,7 +11,7 @@
 #include "domain/columns.hpp"
 #include "domain/octree.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Ten sums over a cube's interior voxels, of 1, i, j, k, ij, jk, ik, ii, jj, kk, where (i, j, k) is a
 /// voxel's place in the cube, from 0, in the order of Moments. Whole numbers, so a cube's are exactly its
@@ -59,4 +59,4 @@ namespace reference {
 [[nodiscard]] std::vector<Moments> cell_moments(const Columns& domain, std::span<const Cube> cubes);
 
 }  // namespace reference
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace kreisel {
+namespace kreisel::core {
 
 DenseVoid::DenseVoid(const VoxelSet& set) : n_(set.domain().grid.n) {
   for (int& n : n_) n += 2;
@@ -49,4 +49,4 @@ int offending_corner(unsigned block) {
   return -1;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 
 #include "formulation/voxel_set.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Void flags on a dense grid with a layer of solid around it: cell (x, y, z) of the grid is (x+1, y+1, z+1).
 /// A bit each, so that a grid of 1024^3 takes 128 MiB, and the few blocks that lie on the surface are found a
@@ -48,4 +48,4 @@ class DenseVoid {
 /// A void corner of such a block to fill, or -1 when the surface is a manifold at the block's middle.
 [[nodiscard]] int offending_corner(unsigned block);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// The two roots of c + b z + a z^2, in order, as far as they lie between; both at the lower end where there
@@ -80,4 +80,4 @@ Support FewRays::operator()(const Moments& q, bool with_hessian) const {
   return support;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "formulation/quadric_moments.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// What QuadricMoments computes, for so few intervals that they are summed before a kernel has been launched
 /// and its sums are back: the coarsest level of a solve, where most of its passes are made. Double precision.
@@ -24,4 +24,4 @@ class FewRays {
   double h_;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

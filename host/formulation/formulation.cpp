@@ -9,7 +9,7 @@
 #include "formulation/voxel.hpp"
 #include "unknown_name.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 Start parse_start(std::string_view text) {
   if (text == "lower") return Start::lower;
@@ -78,4 +78,4 @@ std::unique_ptr<Formulation> make_formulation(std::string_view name, const Colum
   return find_formulation(name).make(domain, traits, settings, device);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -14,7 +14,7 @@
 #include "formulation/voxel_set.hpp"
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Where a solve starts: at the bounds, or half way between them. [RayRep, s. 3.3]
 enum class Start { lower, middle, upper };
@@ -135,4 +135,4 @@ struct FormulationEntry {
                                                             const FormulationSettings& settings,
                                                             device::Device& device);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

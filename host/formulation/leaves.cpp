@@ -7,7 +7,7 @@
 
 #include "parallel.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr std::size_t piece = 1 << 14;  // leaves that are worth a thread: some tenths of a millisecond
@@ -68,7 +68,7 @@ CubeSums Leaves::sums(std::size_t leaf) const {
   return at != mixed_.end() && at->leaf == leaf ? at->sums : full_cube(cubes_[leaf].edge);
 }
 
-std::uint64_t Leaves::voxels(std::size_t leaf) const { return kreisel::voxels(sums(leaf)); }
+std::uint64_t Leaves::voxels(std::size_t leaf) const { return kreisel::core::voxels(sums(leaf)); }
 
 void Leaves::start(int edge) {
   cubes_ = uniform_cubes(grid_, edge);
@@ -76,7 +76,7 @@ void Leaves::start(int edge) {
   size_ = 0;
   mixed_.clear();
   for (std::size_t c = 0; c < sums.size(); ++c) {
-    if (kreisel::voxels(sums[c]) == 0) continue;
+    if (kreisel::core::voxels(sums[c]) == 0) continue;
     if (!is_full(cubes_[c], sums[c])) mixed_.push_back({static_cast<std::uint32_t>(size_), sums[c]});
     cubes_[size_++] = cubes_[c];
   }
@@ -106,7 +106,7 @@ std::vector<std::uint8_t> Leaves::split(std::span<const std::uint8_t> marked) {
     if (marked[m.leaf]) {
       const auto parts = std::span(of_cut).subspan(next, 8);
       count[m.leaf] = static_cast<std::uint8_t>(
-          std::ranges::count_if(parts, [](const CubeSums& sums) { return kreisel::voxels(sums) > 0; }));
+          std::ranges::count_if(parts, [](const CubeSums& sums) { return kreisel::core::voxels(sums) > 0; }));
       next += 8;
     }
   std::vector<std::size_t> first = {0};  // of what comes of each piece
@@ -137,7 +137,7 @@ std::vector<std::uint8_t> Leaves::split(std::span<const std::uint8_t> marked) {
     }
     std::size_t to = at;
     for (const std::size_t end = next + 8; next < end; ++next) {
-      if (kreisel::voxels(of_cut[next]) == 0) continue;
+      if (kreisel::core::voxels(of_cut[next]) == 0) continue;
       spare_[to] = cut[next];
       if (!is_full(cut[next], of_cut[next])) mixed.push_back({static_cast<std::uint32_t>(to), of_cut[next]});
       ++to;
@@ -192,4 +192,4 @@ void Leaves::merge(std::span<const Family> families) {
   mixed_ = std::move(mixed);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 
 #include "formulation/cell_moments.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Disjoint cubes along the curve that hold every interior voxel of the domain, and each at least one.
 ///
@@ -66,4 +66,4 @@ class Leaves {
   std::vector<Mixed> mixed_;         ///< by leaf
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

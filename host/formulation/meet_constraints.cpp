@@ -5,7 +5,7 @@
 
 #include "formulation/dense_void.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A voxel that could change sides, and what that would do.
@@ -115,4 +115,4 @@ std::size_t meet_constraints(VoxelSet& set, const Problem& problem, const MassMo
   return Fit(set, problem, mass).run();
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

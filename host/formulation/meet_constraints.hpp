@@ -4,7 +4,7 @@
 #include "formulation/voxel_set.hpp"
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Fills or empties single voxels at the ends of void runs along z, each at most once, until the problem's
 /// constraints hold to within one voxel or no such move helps. Rounding every ray to its nearest voxel misses
@@ -15,4 +15,4 @@ namespace kreisel {
 /// @return     how many voxels were moved
 std::size_t meet_constraints(VoxelSet& set, const Problem& problem, const MassModel& mass);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

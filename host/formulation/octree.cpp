@@ -10,7 +10,7 @@
 #include "formulation/leaves.hpp"
 #include "parse.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 struct OctreeOptions {
@@ -245,4 +245,4 @@ std::unique_ptr<Formulation> make_octree(const Columns& domain, const Traits&,
   return std::make_unique<Octree>(domain, options, device);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

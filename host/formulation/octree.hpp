@@ -3,7 +3,7 @@
 
 #include "formulation/formulation.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// x[c] in [0,1] is the fill of what interior there is in leaf c; s(x) is linear. The paper's beta = 1 - x.
 /// Leaves are cubes of the domain's voxels, first all of one size; refine() splits those that the optimum
@@ -15,4 +15,4 @@ namespace kreisel {
 std::unique_ptr<Formulation> make_octree(const Columns& domain, const Traits& traits,
                                          const FormulationSettings& settings, device::Device& device);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

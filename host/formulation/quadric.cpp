@@ -12,7 +12,7 @@
 #include "formulation/quadric_moments.hpp"
 #include "formulation/ray_moments.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 Rays rays_of(const Columns& domain) {
   Rays rays;
   rays.grid = domain.grid;
@@ -155,4 +155,4 @@ std::unique_ptr<Formulation> make_quadric(const Rays& rays, const FormulationSet
   return std::make_unique<Quadric>(rays, nullptr, device);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include "formulation/formulation.hpp"
 #include "formulation/quadric_moments.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The vertical intervals that a domain consists of.
 [[nodiscard]] Rays rays_of(const Columns& domain);
@@ -23,4 +23,4 @@ std::unique_ptr<Formulation> make_quadric(const Columns& domain, const Traits& t
 std::unique_ptr<Formulation> make_quadric(const Rays& rays, const FormulationSettings& settings,
                                           device::Device& device);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "device/program.hpp"
 #include "quadric_moments_params.h"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr std::size_t root_sums = 35;
@@ -182,4 +182,4 @@ Matrix10 quadric_hessian(const Rays& rays, const Moments& q) {
 }
 
 }  // namespace reference
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "domain/grid.hpp"
 #include "formulation/support_oracle.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Vertical intervals of h x h columns of a grid, body units.
 struct Rays {
@@ -56,4 +56,4 @@ namespace reference {
 [[nodiscard]] Matrix10 quadric_hessian(const Rays& rays, const Moments& q);
 
 }  // namespace reference
-}  // namespace kreisel
+}  // namespace kreisel::core

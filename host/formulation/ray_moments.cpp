@@ -10,7 +10,7 @@
 #include "formulation/formulation.hpp"
 #include "ray_moments_params.h"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Of every w, the polynomial that is the derivative of w . s by a z1: averaged over a column's
@@ -178,4 +178,4 @@ void ray_curvature(const Grid& grid, std::span<const std::uint32_t> columns, dou
 }
 
 }  // namespace reference
-}  // namespace kreisel
+}  // namespace kreisel::core

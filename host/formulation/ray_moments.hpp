@@ -8,7 +8,7 @@
 #include "device/buffer.hpp"
 #include "domain/grid.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// ix | iy << 16.
 [[nodiscard]] constexpr std::uint32_t pack_column(int ix, int iy) {
@@ -68,4 +68,4 @@ void ray_curvature(const Grid& grid, std::span<const std::uint32_t> columns, dou
                    std::span<const double> x, const Moments& weight, std::span<double> out);
 
 }  // namespace reference
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "error.hpp"
 #include "formulation/ray_moments.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 enum class RayBounds { midpoint, ordered };
@@ -160,4 +160,4 @@ std::unique_ptr<Formulation> make_rayrep(const Columns& domain, const Traits& tr
   return std::make_unique<RayRep>(domain, options, device);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "formulation/formulation.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// x = (z0, z1) of each interval of the domain, interleaved; [z0, z1] is solid, the rest of the interval
 /// void. Where the problem fills rays from below, z0 = zmin stays and x is z1 of each.
@@ -17,4 +17,4 @@ namespace kreisel {
 std::unique_ptr<Formulation> make_rayrep(const Columns& domain, const Traits& traits,
                                          const FormulationSettings& settings, device::Device& device);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "body/moments.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// What one pass over a domain tells of a quadric q = q . (1 x y z xy yz xz xx yy zz).
 struct Support {
@@ -23,4 +23,4 @@ class SupportOracle {
   [[nodiscard]] virtual Support support(int level, const Moments& q, bool with_hessian) = 0;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "error.hpp"
 #include "formulation/voxel_moments.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 std::vector<std::uint32_t> cells_of(const Columns& domain) {
@@ -61,4 +61,4 @@ std::unique_ptr<Formulation> make_voxel(const Columns& domain, const Traits&,
   return std::make_unique<Voxel>(domain, device);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

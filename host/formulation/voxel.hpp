@@ -3,11 +3,11 @@
 
 #include "formulation/formulation.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// x[v] in [0,1] is the fill of interior voxel v, in the order of VoxelSet; s(x) is linear. Start: any of
 /// Start. Rounds at one half. [RayRep, s. 3.4]
 std::unique_ptr<Formulation> make_voxel(const Columns& domain, const Traits& traits,
                                         const FormulationSettings& settings, device::Device& device);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "formulation/formulation.hpp"
 #include "voxel_moments_params.h"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Of every w, the polynomial that is the derivative of w . s by a fill: averaged over a cell, times its
@@ -119,4 +119,4 @@ void voxel_pull_back(const Grid& grid, std::span<const std::uint32_t> cells, con
 }
 
 }  // namespace reference
-}  // namespace kreisel
+}  // namespace kreisel::core

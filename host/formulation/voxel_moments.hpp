@@ -9,7 +9,7 @@
 #include "device/buffer.hpp"
 #include "domain/grid.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// ix | iy << 10 | iz << 20.
 [[nodiscard]] constexpr std::uint32_t pack_cell(int ix, int iy, int iz) {
@@ -53,4 +53,4 @@ void voxel_pull_back(const Grid& grid, std::span<const std::uint32_t> cells, con
                      std::span<double> out);
 
 }  // namespace reference
-}  // namespace kreisel
+}  // namespace kreisel::core

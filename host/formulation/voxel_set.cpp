@@ -7,7 +7,7 @@
 
 #include "formulation/dense_void.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 VoxelSet::VoxelSet(const Columns& domain, bool solid)
     : domain_(&domain), solid_(domain.interior_voxels, solid) {
@@ -81,4 +81,4 @@ std::size_t make_well_composed(VoxelSet& set) {
   return filled;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "domain/columns.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// One flag an interior voxel, in the order of the domain's intervals and upwards within each.
 /// The domain outlives the set.
@@ -43,4 +43,4 @@ class VoxelSet {
 /// @return  how many voxels were filled
 std::size_t make_well_composed(VoxelSet& set);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

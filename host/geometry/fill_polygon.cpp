@@ -9,7 +9,7 @@
 #include "geometry/flip_delaunay.hpp"
 #include "geometry/predicates.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Points = std::span<const Point2>;
@@ -206,4 +206,4 @@ std::vector<std::array<std::uint32_t, 3>> fill_loops(std::span<const Point2> poi
   return triangles;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace kreisel {
+namespace kreisel::core {
 
 using Point2 = std::array<double, 2>;
 /// Points of a closed line, one after the other.
@@ -39,4 +39,4 @@ using Loop = std::vector<std::uint32_t>;
 [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> fill_loops(std::span<const Point2> points,
                                                                    const std::vector<Loop>& loops);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

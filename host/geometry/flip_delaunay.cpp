@@ -6,7 +6,7 @@
 
 #include "geometry/predicates.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
@@ -92,4 +92,4 @@ void flip_to_delaunay(std::span<const Point2> points, Triangles& triangles) {
   Flips(points, triangles).run();
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

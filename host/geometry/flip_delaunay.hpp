@@ -8,7 +8,7 @@
 
 #include "geometry/fill_polygon.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Turns edges inside the region until none has a corner opposite within the circle through the triangle on
 /// its other side: the constrained Delaunay triangulation [Lawson 1977], up to rounding where four points lie
@@ -18,4 +18,4 @@ namespace kreisel {
 /// @param triangles  counter-clockwise by exact signs, no edge of more than two; stays so
 void flip_to_delaunay(std::span<const Point2> points, std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Point2 = std::array<double, 2>;
@@ -40,7 +40,7 @@ class ExactSum {
   }
 
   /// The largest component outweighs all others together.
-  [[nodiscard]] int sign() const { return count_ ? kreisel::sign(parts_[count_ - 1]) : 0; }
+  [[nodiscard]] int sign() const { return count_ ? kreisel::core::sign(parts_[count_ - 1]) : 0; }
 
  private:
   // 24 products of three doubles have four components each.
@@ -104,4 +104,4 @@ int projection_axis(const Vec3& a, const Vec3& b, const Vec3& c) {
   return -1;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 // The determinant is computed in double first; where its rounding bound leaves the sign open, it is summed
 // again without any rounding, as an expansion of doubles. So every sign is that of the exact determinant of
@@ -28,4 +28,4 @@ namespace kreisel {
 /// -1 when its corners lie on one line, exactly.
 [[nodiscard]] int projection_axis(const Vec3& a, const Vec3& b, const Vec3& c);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The nearest number in single precision. By way of memory: where two neighbours are rounded at once, GCC 12
 /// (-O2, -O3) takes the conversion there and back for nothing and leaves it out.
@@ -21,4 +21,4 @@ namespace kreisel {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -1,21 +1,13 @@
 // triangle_mesh.hpp - an indexed triangle mesh, nothing more.
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
-#include <cstdint>
-#include <vector>
+#include "kreisel/mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
-using Vec3 = Eigen::Vector3d;
-using Triangle = std::array<std::uint32_t, 3>;
-
-/// Vertices in the mesh's own length unit; triangles counter-clockwise seen from outside the material.
-struct TriangleMesh {
-  std::vector<Vec3> vertices;
-  std::vector<Triangle> triangles;
-};
+using kreisel::Triangle;
+using kreisel::Vec3;
+using TriangleMesh = kreisel::Mesh;
 
 /// Axis-aligned bounding box.
 struct Box {
@@ -33,4 +25,4 @@ struct Box {
   return box;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

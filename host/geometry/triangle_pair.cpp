@@ -5,7 +5,7 @@
 
 #include "geometry/predicates.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
@@ -146,4 +146,4 @@ bool intersect_improperly(const NumberedTriangle& s, const NumberedTriangle& t) 
   }
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

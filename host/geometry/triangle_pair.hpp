@@ -3,7 +3,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Three corners and the numbers they go by; equal numbers are the same corner.
 struct NumberedTriangle {
@@ -16,4 +16,4 @@ struct NumberedTriangle {
 /// Exact (predicates.hpp). Both triangles have area.
 [[nodiscard]] bool intersect_improperly(const NumberedTriangle& s, const NumberedTriangle& t);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

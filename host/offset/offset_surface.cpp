@@ -12,7 +12,7 @@
 #include "error.hpp"
 #include "openvdb/module.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,4 +70,4 @@ TriangleMesh offset_surface(const TriangleMesh& mesh, double distance, double vo
   return result;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The closed surface of all points at `distance` from a solid's surface: outside it where `distance` > 0,
 /// within it where < 0; empty where nothing of the solid is that deep.
@@ -21,4 +21,4 @@ namespace kreisel {
 ///                     sensible, or OpenVDB's module is not where the program looks for it
 [[nodiscard]] TriangleMesh offset_surface(const TriangleMesh& mesh, double distance, double voxel);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

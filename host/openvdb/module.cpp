@@ -5,7 +5,7 @@
 #include <openvdb/tools/MeshToVolume.h>
 #include <openvdb/tools/VolumeToMesh.h>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A mesh as OpenVDB asks for it, in voxels about the middle of its box, where floats are finest.
@@ -31,12 +31,13 @@ class InVoxels {
 };
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core
 
-extern "C" void kreisel_offset(const kreisel::TriangleMesh& mesh, double distance, double voxel,
-                               kreisel::TriangleMesh& result) {
+extern "C" __attribute__((visibility("default"))) void kreisel_offset(const kreisel::core::TriangleMesh& mesh,
+                                                                      double distance, double voxel,
+                                                                      kreisel::core::TriangleMesh& result) {
   openvdb::initialize();
-  const kreisel::InVoxels in_voxels(mesh, voxel);
+  const kreisel::core::InVoxels in_voxels(mesh, voxel);
   // Three voxels beyond the surface asked for, and beyond the mesh: what interpolation looks at, and to
   // spare.
   const auto reach = static_cast<float>(std::abs(distance) / voxel) + 3;

@@ -3,7 +3,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel::openvdb_module {
+namespace kreisel::core::openvdb_module {
 
 /// See offset_surface(), which checks the arguments. @param result  empty before
 using Offset = void(const TriangleMesh& mesh, double distance, double voxel, TriangleMesh& result);
@@ -11,4 +11,4 @@ using Offset = void(const TriangleMesh& mesh, double distance, double voxel, Tri
 inline constexpr const char* file = "kreisel_openvdb.so";
 inline constexpr const char* function = "kreisel_offset";
 
-}  // namespace kreisel::openvdb_module
+}  // namespace kreisel::core::openvdb_module

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Moves y by h along y' = f(y): three stages, order six, symmetric. Every quadratic invariant of f is one of
 /// the step, too, up to round-off. [Cooper 1987; Hairer, Lubich, Wanner, Geometric Numerical Integration,
@@ -44,4 +44,4 @@ bool gauss_step(const F& f, Eigen::Matrix<double, N, 1>& y, double h, Eigen::Mat
   return false;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

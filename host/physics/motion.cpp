@@ -10,7 +10,7 @@
 #include "error.hpp"
 #include "physics/gauss_step.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Packed = Eigen::Matrix<double, 10, 1>;
@@ -94,4 +94,4 @@ Motion simulate(const RigidBody& body, const BodyState& start, const MotionOptio
   return motion;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

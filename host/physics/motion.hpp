@@ -7,7 +7,7 @@
 
 #include "physics/rigid_body.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 struct MotionOptions {
   double duration = 100;  ///< body units, > 0
@@ -38,4 +38,4 @@ struct Motion {
 /// time
 [[nodiscard]] Motion simulate(const RigidBody& body, const BodyState& start, const MotionOptions& options);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "error.hpp"
 #include "parallel.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 double righting_arm_at(const Afloat& afloat, double azimuth, double heel) {
   const Vec3 along(std::cos(azimuth), std::sin(azimuth), 0);
@@ -54,4 +54,4 @@ RightingArm righting_arm(const Afloat& afloat, double azimuth, int steps) {
   return arm;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

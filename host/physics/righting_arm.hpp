@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// What floats.
 struct Afloat {
@@ -34,4 +34,4 @@ struct RightingArm {
 /// GZ at one heel, turning right-handed about the axis.
 [[nodiscard]] double righting_arm_at(const Afloat& afloat, double azimuth, double heel);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace kreisel {
+namespace kreisel::core {
 
 RigidBody make_rigid_body(const Moments& s, Contact contact) {
   const Vec3 lever = s.segment<3>(SX);
@@ -74,4 +74,4 @@ double ground_force(const RigidBody& body, const BodyState& state) {
 
 double tilt_of(const BodyState& state) { return std::atan2(state.up.head<2>().norm(), state.up[2]); }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "body/moments.hpp"
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// How the tip, a point of the body, touches the ground: free to glide without friction on a plane that it
 /// cannot leave, held in place (Lagrange's top), or not at all, in free fall.
@@ -70,4 +70,4 @@ struct BodyState {
 /// Angle between body z and the vertical, radians.
 [[nodiscard]] double tilt_of(const BodyState& state);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "parallel.hpp"
 #include "physics/units.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 SpinAtSpeed at_speed(const RigidBody& body, double length_mm, double rpm, const Motion& motion) {
@@ -81,4 +81,4 @@ std::string describe(const std::vector<SpeedRange>& rpm) {
   return parts.empty() ? "at no speed" : fmt::format("{} rpm", fmt::join(parts, ", "));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "physics/motion.hpp"
 #include "physics/steady_spin.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Degrees: a body that has no steady spin within this of its axis, or whose motion strays by more, does not
 /// spin about it. Small tilts swing up to a few times as far and come back; what falls goes on.
@@ -58,4 +58,4 @@ struct SpinCheck {
 /// "480.2 to 510.0, above 612.4 rpm", "at any speed", or "at no speed".
 [[nodiscard]] std::string describe(const std::vector<SpeedRange>& rpm);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

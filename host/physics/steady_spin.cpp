@@ -8,7 +8,7 @@
 
 #include "body/frame.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Eigen::Matrix2d;
@@ -122,4 +122,4 @@ std::optional<double> stable_above(const std::vector<SpeedRange>& ranges) {
   return ranges.back().low;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "physics/rigid_body.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A steady spin and its linear stability.
 struct SteadySpin {
@@ -33,4 +33,4 @@ struct SpeedRange {
 /// The least speed above which all are stable; nothing where there is none.
 [[nodiscard]] std::optional<double> stable_above(const std::vector<SpeedRange>& ranges);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace kreisel {
+namespace kreisel::core {
 
 std::vector<Toppling> tilt_the_plane(const SupportPolygon& base, double ground, const Vec3& centre_of_mass,
                                      int directions) {
@@ -31,4 +31,4 @@ Toppling worst(const std::vector<Toppling>& all) {
   return *std::ranges::min_element(all, {}, &Toppling::angle);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "body/support_polygon.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// One way to tilt the ground.
 struct Toppling {
@@ -23,4 +23,4 @@ struct Toppling {
 /// The worst of them.
 [[nodiscard]] Toppling worst(const std::vector<Toppling>& all);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

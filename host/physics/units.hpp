@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Lengths in L, masses in the solid's own and gravity 1: the unit of time is sqrt(L / g).
 [[nodiscard]] inline double seconds_per_unit(double length_mm) {
@@ -20,4 +20,4 @@ namespace kreisel {
 [[nodiscard]] inline double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 [[nodiscard]] inline double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Inertia about the axle in units of that of the mass at the string.
@@ -27,4 +27,4 @@ double speed_after(const Moments& s, double radius, double height) {
   return std::sqrt(2 * height / (1 + ratio(s, radius))) / radius;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

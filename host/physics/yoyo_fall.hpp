@@ -3,7 +3,7 @@
 
 #include "body/moments.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// In the plane of the string, which stays vertical and unwinds from the axle without slipping.
 struct YoyoFall {
@@ -21,4 +21,4 @@ struct YoyoFall {
 /// Speed after a fall by `height` from rest, radians per unit of time: M h = M v^2 / 2 + I w^2 / 2, v = r w.
 [[nodiscard]] double speed_after(const Moments& s, double radius, double height);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "error.hpp"
 #include "parse.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 Balance::Balance(const Vec3& point, const std::optional<Vec3>& direction)
     : point_(point), direction_(direction) {
@@ -65,4 +65,4 @@ std::unique_ptr<Problem> make_balance(const ProblemSettings& settings, const Bod
   return std::make_unique<Balance>(body.frame.to_body(*point), direction);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Maximise the mass with the centre of mass at a point p, or on the line through p: e . (s_xyz - p s1) = 0
 /// for every direction e (across the line). Linear; what is left out lies beyond a plane, on which side of a
@@ -42,4 +42,4 @@ class Balance final : public Problem {
 /// @throws InputError  another setting, no point, no direction
 std::unique_ptr<Problem> make_balance(const ProblemSettings& settings, const Body& body);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "error.hpp"
 #include "parse.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 Float::Float(const Draft& draft) : draft_(draft) {
   constraints_.matrix.setZero(3, 10);
@@ -134,4 +134,4 @@ std::unique_ptr<Problem> make_float(const ProblemSettings& settings, const Body&
   return std::make_unique<Float>(result);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -4,7 +4,7 @@
 #include "body/hydrostatics.hpp"
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The water a body floats in, and how deep.
 struct Draft {
@@ -49,4 +49,4 @@ class Float final : public Problem {
 /// @throws InputError  another setting, a draft outside the body, or a mass that displaces more than the body
 std::unique_ptr<Problem> make_float(const ProblemSettings& settings, const Body& body);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

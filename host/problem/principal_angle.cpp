@@ -4,7 +4,7 @@
 
 #include "problem/spin_terms.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr int phi = 10;  // where the angle stands in (s, phi)
@@ -90,4 +90,4 @@ Eigen::MatrixXd PrincipalAngle::curvature(const Moments& s, const Eigen::VectorX
   return multipliers[0] * bordered(Matrix10::Zero(), turn.slope_by_s, -4 * turn.residual);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -4,7 +4,7 @@
 
 #include "problem/spinning.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Minimise over (s, phi) what SpinWeights says, with Ia^2 + Ib^2 in place of tr(J^2),
 ///
@@ -34,4 +34,4 @@ class PrincipalAngle final : public Auxiliary {
   SpinWeights weights_;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "problem/yoyo.hpp"
 #include "unknown_name.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 double violation(const Problem& problem, const Moments& s) {
   const LinearConstraints& c = problem.constraints();
@@ -78,4 +78,4 @@ std::unique_ptr<Problem> make_problem(std::string_view name, const ProblemSettin
   return find_problem(name).make(settings, body);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

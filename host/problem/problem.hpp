@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "body/body.hpp"
+#include "kreisel/verdict.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Linear constraints on the total moments, body units.
 struct LinearConstraints {
@@ -18,6 +19,8 @@ struct LinearConstraints {
   Eigen::VectorXd lower, upper;
   std::vector<std::string> names;
 };
+
+using kreisel::Verdict;
 
 /// What is known of f over the convex set of attainable moments; decides which certificates apply.
 enum class Convexity { linear, fractional, pseudoconvex, spin, top };
@@ -40,13 +43,6 @@ struct Ratio {
 /// What shortens or shapes a formulation's variables.
 struct Traits {
   Filling filling = Filling::segment;
-};
-
-/// Does the finished part do what was asked?
-struct Verdict {
-  bool ok = false;
-  std::string text;                      ///< one sentence
-  std::map<std::string, double> values;  ///< the numbers behind it; NaN where one does not exist
 };
 
 /// Variables a that a problem has beside the moments, and equations between both: minimise value(s, a)
@@ -140,4 +136,4 @@ struct ProblemEntry {
 [[nodiscard]] std::unique_ptr<Problem> make_problem(std::string_view name, const ProblemSettings& settings,
                                                     const Body& body);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 
 #include "problem/balance.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 std::optional<Vec3> ray_direction(std::string_view problem, const ProblemSettings& settings,
                                   const Body& body) {
@@ -35,4 +35,4 @@ std::optional<Vec3> ray_direction(std::string_view problem, const ProblemSetting
   return Vec3::Unit(axis);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

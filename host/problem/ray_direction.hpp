@@ -6,7 +6,7 @@
 
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The model's axis along which rays meet the cut most squarely, where the problem leaves their direction
 /// open and what it asks tells where the cut will be: of `balance`, nothing else. Rays along a plane are all
@@ -22,4 +22,4 @@ namespace kreisel {
 [[nodiscard]] std::optional<Vec3> ray_direction(std::string_view problem, const ProblemSettings& settings,
                                                 const Body& body);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include "error.hpp"
 #include "parse.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 std::unique_ptr<Problem> make_spin(const ProblemSettings& settings, const Body&) {
   SpinOptions options;
@@ -22,4 +22,4 @@ std::unique_ptr<Problem> make_spin(const ProblemSettings& settings, const Body&)
   return std::make_unique<Spin>(options);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "problem/spinning.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 struct SpinOptions {
   double lambda = 0;   ///< weight of the height of the centre of mass, per body length; >= 0
@@ -24,4 +24,4 @@ class Spin final : public Spinning {
 /// @throws InputError  a setting other than lambda, gamma_i, or out of range
 std::unique_ptr<Problem> make_spin(const ProblemSettings& settings, const Body& body);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -1,6 +1,6 @@
 #include "problem/spin_terms.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 Shift::Shift(const Moments& s) {
   const double m = s[S1], z = s[SZ] / m;
@@ -37,4 +37,4 @@ Matrix10 height_hessian(const SpinWeights& w, const Moments& s) {
   return h;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

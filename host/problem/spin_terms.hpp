@@ -3,7 +3,7 @@
 
 #include "problem/spinning.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 inline Moments unit_moment(MomentIndex k) { return Moments::Unit(k); }
 
@@ -44,4 +44,4 @@ struct SquareRatio {
 [[nodiscard]] Moments height_gradient(const SpinWeights& w, const Moments& s);
 [[nodiscard]] Matrix10 height_hessian(const SpinWeights& w, const Moments& s);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -15,7 +15,7 @@
 #include "problem/spin_terms.hpp"
 #include "problem/stable_speeds.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 SquareRatio<10> inertia_ratio(const Moments& s) {
@@ -113,4 +113,4 @@ Verdict Spinning::verify(const Moments& s, double length_mm) const {
   return verdict;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// f(s) = lambda c_z + height c_z^2 + moment sz^2 + gamma_i R^2,   R^2 = (Jxx^2 + Jyy^2 + 2 sxy^2) / Izz^2,
 ///
@@ -74,4 +74,4 @@ struct SpinState {
 /// higher than the origin. @param length_mm  one body length in millimetres
 [[nodiscard]] double omega_min_rpm(const Moments& s, double length_mm);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 
 #include "physics/spin_check.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 void add_stable_speeds(Verdict& verdict, const Moments& s, double length_mm) {
   const auto above = [&](Contact contact) {
@@ -26,4 +26,4 @@ void add_stable_speeds(Verdict& verdict, const Moments& s, double length_mm) {
   verdict.text += fmt::format(" (spectrum: gliding {}, held {})", text(gliding), text(held));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

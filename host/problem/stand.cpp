@@ -10,7 +10,7 @@
 #include "error.hpp"
 #include "parse.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -187,4 +187,4 @@ std::unique_ptr<Problem> make_stand(const ProblemSettings& settings, const Body&
   return std::make_unique<Stand>(std::move(base), margin);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

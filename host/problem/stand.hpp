@@ -4,7 +4,7 @@
 #include "body/support_polygon.hpp"
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// What stays when a body is to stand.
 struct Base {
@@ -91,4 +91,4 @@ class MaxTilt final : public Problem {
 /// @throws InputError  another setting, or a body without a base
 std::unique_ptr<Problem> make_stand(const ProblemSettings& settings, const Body& body);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

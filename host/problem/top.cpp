@@ -7,7 +7,7 @@
 #include "error.hpp"
 #include "parse.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 SpinWeights weights_of(const TopOptions& o) {
@@ -64,4 +64,4 @@ std::unique_ptr<Problem> make_top(const ProblemSettings& settings, const Body& b
   return std::make_unique<Top>(options, body.solid);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

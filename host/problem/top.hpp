@@ -3,7 +3,7 @@
 
 #include "problem/spinning.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// What of a top is lowered beside its inertia ratio: its first moment (height x mass), its height alone, or
 /// nothing. The paper's three teapots, 1.68, 1.60 and 1.56.
@@ -41,4 +41,4 @@ class Top final : public Spinning {
 /// @throws InputError  another setting, or out of range
 std::unique_ptr<Problem> make_top(const ProblemSettings& settings, const Body& body);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

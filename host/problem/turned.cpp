@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace kreisel {
+namespace kreisel::core {
 
 Turned::Turned(std::unique_ptr<Problem> inner, const Eigen::Matrix3d& R, const Vec3& t)
     : Turned(std::move(inner), moment_map(R, t)) {}
@@ -34,4 +34,4 @@ std::string Turned::scope(const MassModel& mass) const {
   return inner_->scope({map_ * mass.fixed, mass.contrast, map_ * mass.interior});
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The moments of a solid in the frame x' = R x + t are T s, linear in those in x. So a problem of x' is the
 /// problem of x with f'(s) = f(T s), gradient T^T g, Hessian T^T H T and rows C T: another spin axis is
@@ -41,4 +41,4 @@ class Turned final : public Problem {
   LinearConstraints constraints_;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

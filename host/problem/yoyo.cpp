@@ -8,7 +8,7 @@
 #include "error.hpp"
 #include "parse.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A centre of mass outside the body's shadow along any of three axes is out of reach; so is one outside the
@@ -43,4 +43,4 @@ std::unique_ptr<Problem> make_yoyo(const ProblemSettings& settings, const Body& 
   return std::make_unique<Yoyo>(options);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "problem/spinning.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 struct YoyoOptions {
   double gamma_i = 1;  ///< > 0; changes f, not where it is least
@@ -27,4 +27,4 @@ class Yoyo final : public Spinning {
 /// @throws InputError  another setting, or out of range; a centre of the axle outside the body's hull
 std::unique_ptr<Problem> make_yoyo(const ProblemSettings& settings, const Body& body);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -1,6 +1,6 @@
 #include "record/common_groups.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 void write_config(hdf5::Group group, const RunConfig& config) {
   for (const auto& [key, value] : describe(config)) group.set(key, value);
@@ -28,4 +28,4 @@ void write_provenance(hdf5::Group group, const Provenance& p) {
   group.set("load", p.load);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

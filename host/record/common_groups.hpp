@@ -5,11 +5,11 @@
 #include "session/config.hpp"
 #include "session/provenance.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// describe(config), an attribute each.
 void write_config(hdf5::Group group, const RunConfig& config);
 
 void write_provenance(hdf5::Group group, const Provenance& p);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "error.hpp"
 #include "file/write_text.hpp"
 
-namespace kreisel::hdf5 {
+namespace kreisel::core::hdf5 {
 namespace {
 
 static_assert(std::is_same_v<hid_t, std::int64_t>, "Handle keeps identifiers of HDF5 1.10 and later");
@@ -299,4 +299,4 @@ void File::close() {
   write_text(*file_, image);
 }
 
-}  // namespace kreisel::hdf5
+}  // namespace kreisel::core::hdf5

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace kreisel::hdf5 {
+namespace kreisel::core::hdf5 {
 
 /// An identifier of the library (its hid_t), closed with the object. The header of HDF5 stays out of ours.
 class Handle {
@@ -124,4 +124,4 @@ class File : public Group {
   using Group::Group;
 };
 
-}  // namespace kreisel::hdf5
+}  // namespace kreisel::core::hdf5

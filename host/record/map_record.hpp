@@ -11,7 +11,7 @@
 
 #include "session/orientation_map.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 inline constexpr int map_schema_version = 1;
 
@@ -50,4 +50,4 @@ struct MapSummary {
 /// Summary and every axis, with the field names of docs/output.md.
 [[nodiscard]] nlohmann::json to_json(const OrientationMap& map);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

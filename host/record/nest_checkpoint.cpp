@@ -7,7 +7,7 @@
 #include "record/nest_record.hpp"
 #include "record/schema.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using hdf5::Group;
@@ -148,4 +148,4 @@ NestCheckpoint read_checkpoint(const std::filesystem::path& path) {
   return checkpoint;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using hdf5::Group;
@@ -116,4 +116,4 @@ void write_shapes(Group group, const std::vector<TriangleMesh>& shapes) {
   }
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -4,7 +4,7 @@
 #include "record/hdf5_file.hpp"
 #include "record/nest_record.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 void write_layers(hdf5::Group group, const nest::Layers& layers);
 void write_landscape(hdf5::Group group, const NestResult& result);
@@ -13,4 +13,4 @@ void write_shapes(hdf5::Group group, const std::vector<TriangleMesh>& shapes);
 [[nodiscard]] std::vector<LayerSummary> read_layers(const hdf5::Group& group);
 [[nodiscard]] LandscapeSummary read_landscape(const hdf5::Group& group);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -2,7 +2,7 @@
 
 #include "record/nest_record.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using nlohmann::json;
@@ -128,4 +128,4 @@ json to_json(const NestResult& result) {
   return out;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

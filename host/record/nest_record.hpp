@@ -11,7 +11,7 @@
 
 #include "run/nest_run.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 inline constexpr int nest_schema_version = 1;
 
@@ -74,4 +74,4 @@ void write_checkpoint(const std::filesystem::path& path, const NestCheckpoint& c
 /// @throws InputError  not a checkpoint, of a newer schema, or with tables of other shapes than it says
 [[nodiscard]] NestCheckpoint read_checkpoint(const std::filesystem::path& path);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "record/map_record.hpp"
 #include "record/schema.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using hdf5::Group;
@@ -97,4 +97,4 @@ MapSummary read_map(const std::filesystem::path& path) {
   return map;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "record/nest_record.hpp"
 #include "record/schema.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using hdf5::Group;
@@ -102,4 +102,4 @@ NestSummary read_nest(const std::filesystem::path& path) {
   return nest;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

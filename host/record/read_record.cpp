@@ -7,7 +7,7 @@
 #include "record/hdf5_file.hpp"
 #include "record/record.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using hdf5::Group;
@@ -163,4 +163,4 @@ RecordSummary read_record(const std::filesystem::path& path) {
   return summary;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "file/write_text.hpp"
 #include "session/result.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 inline constexpr int record_schema_version = 1;
 
@@ -73,4 +73,4 @@ struct RecordSummary {
 /// The summary with the field names of "Machine-readable output" in docs/.
 [[nodiscard]] nlohmann::json to_json(const RunResult& result);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

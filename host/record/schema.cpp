@@ -4,7 +4,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 std::string schema_of(const hdf5::File& file) { return file.has("schema") ? file.text("schema") : ""; }
 
@@ -18,4 +18,4 @@ void require_schema(const hdf5::File& file, const std::string& name, std::string
                                  version, newest));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "record/hdf5_file.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The attribute `schema`; empty where there is none.
 [[nodiscard]] std::string schema_of(const hdf5::File& file);
@@ -16,4 +16,4 @@ namespace kreisel {
 void require_schema(const hdf5::File& file, const std::string& name, std::string_view what,
                     std::string_view schema, int newest);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

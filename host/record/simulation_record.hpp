@@ -7,7 +7,7 @@
 
 #include "run/simulation.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 inline constexpr int simulation_schema_version = 1;
 
@@ -21,4 +21,4 @@ void write_simulation(const std::filesystem::path& path, const Simulation& simul
 /// With the field names of docs/output.md.
 [[nodiscard]] nlohmann::json to_json(const Simulation& simulation);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "record/record.hpp"
 #include "record/simulation_record.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 Subject subject_of_record(const std::filesystem::path& path, device::Device& device) {
   const RecordSummary record = read_record(path);
@@ -31,4 +31,4 @@ Subject subject_of_record(const std::filesystem::path& path, device::Device& dev
   return subject;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 #include "parse.hpp"
 #include "record/record.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using nlohmann::json;
@@ -206,4 +206,4 @@ json to_json(const RunResult& r) {
   });
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

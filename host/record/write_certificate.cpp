@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 const std::vector<std::string>& moment_columns() {
@@ -75,4 +75,4 @@ void write_certificate(hdf5::Group group, const Certificate& c) {
   write_boxes(group, c.boxes, c.kind == Certificate::Kind::top);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

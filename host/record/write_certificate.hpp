@@ -4,9 +4,9 @@
 #include "record/hdf5_file.hpp"
 #include "solve/certificate.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Everything that the bound follows from; plots/check_certificate.py checks it again from this alone.
 void write_certificate(hdf5::Group group, const Certificate& certificate);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

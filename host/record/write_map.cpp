@@ -10,7 +10,7 @@
 #include "record/hdf5_file.hpp"
 #include "record/map_record.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using hdf5::Group;
@@ -172,4 +172,4 @@ json to_json(const OrientationMap& map) {
   return json::parse(all.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

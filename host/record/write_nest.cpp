@@ -7,7 +7,7 @@
 #include "record/nest_groups.hpp"
 #include "record/nest_record.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using hdf5::Group;
@@ -111,4 +111,4 @@ void write_nest_failure(const std::filesystem::path& path, const NestConfig& con
   file.close();
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "record/record.hpp"
 #include "record/write_certificate.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using hdf5::Group;
@@ -267,4 +267,4 @@ void write_failure(const std::filesystem::path& path, const RunConfig& config, c
   });
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "record/hdf5_file.hpp"
 #include "record/simulation_record.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using hdf5::Group;
@@ -202,4 +202,4 @@ json to_json(const Simulation& s) {
   return json::parse(all.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "session/field_text.hpp"
 #include "unknown_name.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 using namespace field_text;
 namespace {
 
@@ -321,4 +321,4 @@ std::string run_name(const NestConfig& config) {
   return fmt::format("{}-{}-{:08x}", shapes, kind_of(config), hash(describe(config)));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

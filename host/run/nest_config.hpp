@@ -12,7 +12,7 @@
 #include "nest/search/layers.hpp"
 #include "nest/search/optimise.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// One run: a feasibility test (`scale` is given), a scale search (it isn't), a search over placements
 /// (`free` names something), one for each of several layers (`layers`), a comparison of variants over random
@@ -88,4 +88,4 @@ void require_valid(const NestConfig& config);
 /// Stable file stem: shapes, kind and a hash of describe(), as "bunny-in-bunny-swarm-1a2b3c4d".
 [[nodiscard]] std::string run_name(const NestConfig& config);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

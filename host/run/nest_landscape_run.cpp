@@ -8,7 +8,7 @@
 #include "run/nest_parts.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr int pixels = 1024, least_directions = 16384, lanes = 64;
@@ -84,4 +84,4 @@ NestResult run_landscape(const NestConfig& config, const NestHooks& hooks) {
   return result;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 #include "run/nest_parts.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// What the result says of itself is said of the outermost nesting.
@@ -60,4 +60,4 @@ NestResult run_layers(const NestConfig& config, const NestHooks& hooks) {
   return result;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "body/source.hpp"
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TriangleMesh shape_of(const std::string& model, const std::optional<double>& size, int fineness) {
@@ -68,4 +68,4 @@ nest::OptimiseSpec search_of(const NestConfig& config) {
   return spec;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

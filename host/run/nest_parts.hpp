@@ -7,7 +7,7 @@
 #include "nest/search/optimise.hpp"
 #include "run/nest_run.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Outer, inner, and what is within; a shape in itself once. Any mesh will do: none is checked or mended.
 /// @throws InputError  unknown model, unreadable file, a mesh without extent that is to be scaled
@@ -23,4 +23,4 @@ namespace kreisel {
 [[nodiscard]] NestResult run_layers(const NestConfig& config, const NestHooks& hooks);
 [[nodiscard]] NestResult run_landscape(const NestConfig& config, const NestHooks& hooks);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

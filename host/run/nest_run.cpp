@@ -10,15 +10,14 @@
 #include "run/nest_parts.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Ending = NestResult::Ending;
 
 constexpr double seconds_between_checkpoints = 30;
 
-nest::Nesting nesting_of(const NestConfig& config) {
-  std::vector<TriangleMesh> shapes = shapes_of_run(config);
+nest::Nesting nesting_of(std::vector<TriangleMesh> shapes) {
   TriangleMesh inner = shapes.back();
   return {std::move(shapes.front()), std::move(inner)};
 }
@@ -53,10 +52,11 @@ class Run {
     const Stopwatch setup;
     device::Device device(config_.device);
     result_.provenance = make_provenance(device);
-    const nest::Nesting nesting = nesting_of(config_);
+    const std::vector<TriangleMesh> shapes = hooks_.shapes.empty() ? shapes_of_run(config_) : hooks_.shapes;
+    const nest::Nesting nesting = nesting_of(shapes);
     result_.outer_triangles = nesting.outer().triangles.size();
     result_.inner_triangles = nesting.inner().triangles.size();
-    if (config_.keep_shapes) result_.shapes = shapes_of_run(config_);
+    if (config_.keep_shapes) result_.shapes = shapes;
     if (config_.accuracy > 0) {
       compare(nesting, device, setup);
       return std::move(result_);
@@ -139,6 +139,7 @@ class Run {
             kept = search.seconds();
             hooks_.keep({config_, state, result_.trace_seconds});
           }
+          if (hooks_.on_iteration && !hooks_.on_iteration(state)) return false;
           return !(stopped = hooks_.control.stopped());
         },
         hooks_.resume ? &hooks_.resume->state : nullptr);
@@ -249,4 +250,4 @@ NestResult run_nest(const NestConfig& config, const NestHooks& hooks) {
   return Run(config, hooks)();
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

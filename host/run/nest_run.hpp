@@ -15,7 +15,7 @@
 #include "run/nest_config.hpp"
 #include "session/provenance.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A search on its way, with what it was asked; one that goes on from here ends as if it had never stopped.
 struct NestCheckpoint {
@@ -72,6 +72,10 @@ struct NestResult {
 struct NestHooks {
   Control control = {};
   std::function<void(const NestCheckpoint&)> keep = {};  ///< every half a minute, and at the end of a search
+  /// In place of the shapes that the configuration names: outer and inner, or one in itself.
+  std::vector<TriangleMesh> shapes = {};
+  /// Told of each iteration of a search; false ends it, and what was found is kept.
+  std::function<bool(const nest::SearchState&)> on_iteration = {};
   const NestCheckpoint* resume = nullptr;
   std::function<nest::OptimiseResult(const nest::Nesting&, device::Device&, const nest::OptimiseSpec&,
                                      const nest::OnIteration&, const nest::SearchState*)>
@@ -82,4 +86,4 @@ struct NestHooks {
 ///                     hooks.optimise knows it
 [[nodiscard]] NestResult run_nest(const NestConfig& config, const NestHooks& hooks = {});
 
-}  // namespace kreisel
+}  // namespace kreisel::core

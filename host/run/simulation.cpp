@@ -13,7 +13,7 @@
 #include "physics/units.hpp"
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Speeds at which something changes, with any contact.
@@ -130,4 +130,4 @@ Simulation simulate(const Subject& subject, const SimulationSpec& spec, const de
   return result;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

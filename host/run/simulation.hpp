@@ -10,7 +10,7 @@
 #include "run/subject.hpp"
 #include "session/provenance.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 struct SimulationSpec {
   /// Of what spins. A speed of 0: a tenth above the least from which the part is stable.
@@ -49,4 +49,4 @@ struct Simulation {
 [[nodiscard]] Simulation simulate(const Subject& subject, const SimulationSpec& spec,
                                   const device::Device& device, const Control& control = {});
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "mesh/solid/repair.hpp"
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// The surfaces that no other surface encloses.
@@ -44,4 +44,4 @@ Subject subject_of_mesh(const RunConfig& config, device::Device& device) {
   return subject;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

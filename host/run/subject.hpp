@@ -3,7 +3,7 @@
 
 #include "session/config.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// In the body frame and units of the solid.
 struct Subject {
@@ -18,4 +18,4 @@ struct Subject {
 /// @throws InputError  as make_body()
 [[nodiscard]] Subject subject_of_mesh(const RunConfig& config, device::Device& device);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -18,7 +18,7 @@
 #include "solve/solver.hpp"
 #include "unknown_name.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 using namespace field_text;
 namespace {
 
@@ -244,4 +244,4 @@ std::string run_name(const RunConfig& config) {
                      fields.at("resolution"), config.problem, way, hash(fields));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "body/body.hpp"
 #include "domain/columns.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// How the optimum becomes whole voxels: each end to its nearest face, as the papers do, or then moved voxel
 /// by voxel until the constraints hold.
@@ -90,4 +90,4 @@ void set_field(RunConfig& config, std::string_view key, std::string_view value);
 /// "ellipsoid-80x52x51-spin-rayrep-ipopt-1a2b3c4d", or "bunny-100-spin-map-1a2b3c4d".
 [[nodiscard]] std::string run_name(const RunConfig& config);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

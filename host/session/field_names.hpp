@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Every field by name, and "GROUP.NAME" for each group of settings.
 [[nodiscard]] std::vector<std::string_view> field_names();
@@ -12,4 +12,4 @@ namespace kreisel {
 /// Whether set_field() takes the key; of a setting it knows the group alone.
 [[nodiscard]] bool is_field(std::string_view key);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

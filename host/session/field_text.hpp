@@ -12,7 +12,7 @@
 #include "error.hpp"
 #include "parse.hpp"
 
-namespace kreisel::field_text {
+namespace kreisel::core::field_text {
 
 [[noreturn]] inline void refuse(std::string_view key, std::string_view value, std::string_view expected) {
   throw InputError(fmt::format("{} = '{}'; expected {}", key, value, expected));
@@ -54,4 +54,4 @@ inline std::uint32_t hash(const std::map<std::string, std::string>& fields) {
   return static_cast<std::uint32_t>(h ^ h >> 32);
 }
 
-}  // namespace kreisel::field_text
+}  // namespace kreisel::core::field_text

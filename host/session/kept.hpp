@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// What was made last, and of which key. Those who hold the value keep it when another takes its place.
 template <class Key, class Value>
@@ -31,4 +31,4 @@ class Kept {
   std::shared_ptr<Value> value_;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

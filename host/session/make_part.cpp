@@ -1,11 +1,9 @@
 #include "session/make_part.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 #include <utility>
 
@@ -13,7 +11,7 @@
 #include "formulation/meet_constraints.hpp"
 #include "memory.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 RoundingCost cost_of(const Rounded& rounded, std::size_t moved, const Task& task, const Body& body) {
@@ -30,15 +28,6 @@ RoundingCost cost_of(const Rounded& rounded, std::size_t moved, const Task& task
   return cost;
 }
 
-/// Removes a folder when it goes out of scope; an empty path is left alone.
-struct Temporary {
-  std::filesystem::path path;
-  ~Temporary() {
-    std::error_code ignored;
-    if (!path.empty()) std::filesystem::remove_all(path, ignored);
-  }
-};
-
 std::string warning_of(const std::vector<double>& islands) {
   const bool one = islands.size() == 1;
   return fmt::format("; but {} of {:.3g} mm^3 {} loose in the voids",
@@ -48,10 +37,8 @@ std::string warning_of(const std::vector<double>& islands) {
 
 Verified write_and_verify(const RunResult& r, const std::vector<MaterialPart>& parts, const Body& body,
                           const Problem& problem, const std::string& file) {
-  const Temporary temporary{
-      file.empty() ? std::filesystem::temp_directory_path() / fmt::format("kreisel-{}", ::getpid()) : ""};
-  const std::filesystem::path path = file.empty() ? temporary.path / "part.stl" : std::filesystem::path(file);
-  const WrittenPart part = verify_written(write_parts(path, parts), body, problem);
+  const WrittenPart part = file.empty() ? verify_made(parts, body, problem)
+                                        : verify_written(write_parts(file, parts), body, problem);
 
   Verified verified;
   verified.verdict = part.verdict;
@@ -60,10 +47,7 @@ Verified write_and_verify(const RunResult& r, const std::vector<MaterialPart>& p
   verified.file = file;
   verified.moments = part.moments;
   verified.materials = part.materials;
-  for (WrittenMaterial& material : verified.materials) {
-    verified.triangles += material.triangles;
-    if (file.empty()) material.file.clear();
-  }
+  for (const WrittenMaterial& material : verified.materials) verified.triangles += material.triangles;
   verified.rounding_mismatch = (part.moments - r.rounding.moments).cwiseAbs().maxCoeff();
   return verified;
 }
@@ -134,7 +118,7 @@ PartMeshes make_part(SolvedRun& run, const std::string& mesh_file, const PartOpt
   // What cannot be met at all need not be fitted.
   const bool fit = r.config.rounding == Rounding::fitted && r.outcome.termination != Termination::infeasible;
   const Made made = run.exact() ? mesh_inside(run, fit, options) : round_to_voxels(run, fit, options);
-  PartMeshes part{body.mesh, to_model(body.frame, made.inside.voids)};
+  PartMeshes part{body.mesh, to_model(body.frame, made.inside.voids), made.parts};
   r.voids = find_voids({part.outer, part.cavity}, cut_directions(body));
   r.verified = write_and_verify(r, made.parts, body, run.problem(), mesh_file);
   r.verified.void_triangles = made.inside.voids.triangles.size();
@@ -143,4 +127,4 @@ PartMeshes make_part(SolvedRun& run, const std::string& mesh_file, const PartOpt
   return part;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,11 +7,12 @@
 
 #include "session/solved_run.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Of a part: model coordinates, mm.
 struct PartMeshes {
   TriangleMesh outer, cavity;
+  std::vector<MaterialPart> solids = {};  ///< that are written
 };
 
 /// What else is done to a part.
@@ -25,9 +26,9 @@ struct PartOptions {
 
 /// Fills in what the run's result says of its part.
 ///
-/// @param mesh_file  where it is written; empty: a temporary file, removed
+/// @param mesh_file  where it is written; empty: nowhere, and judged as it would be
 /// @throws InputError   it cannot be written
 /// @throws Interrupted  nothing is written
 PartMeshes make_part(SolvedRun& run, const std::string& mesh_file, const PartOptions& options = {});
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -14,7 +14,7 @@
 #include "solve/distance_to_rows.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -243,4 +243,4 @@ OrientationMap map_orientations(Session& session, const MapSpec& spec, const Con
   return map;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

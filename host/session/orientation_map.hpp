@@ -10,7 +10,7 @@
 #include "session/session.hpp"
 #include "solve/solver.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// What is asked. Formulation and solver are always `quadric` and `moment`.
 struct MapSpec {
@@ -82,4 +82,4 @@ struct OrientationMap {
 [[nodiscard]] OrientationMap map_orientations(Session& session, const MapSpec& spec,
                                               const Control& control = {});
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "physics/units.hpp"
 #include "session/orientation_map.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 std::string options_of(const OrientationMap& map, std::size_t axis) {
@@ -43,4 +43,4 @@ std::string other_axes(Session& session, const RunConfig& config, const Vec3& as
                      options_of(map, map.best()->axis));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

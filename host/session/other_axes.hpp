@@ -5,7 +5,7 @@
 
 #include "session/solved_run.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Of five hundred axes through the lowest point along each, on a coarse grid: how many will do, the one
 /// nearest to the configuration's and the best, as options of a command line. [docs/map.md]
@@ -13,4 +13,4 @@ namespace kreisel {
 [[nodiscard]] std::string other_axes(Session& session, const RunConfig& config, const Vec3& asked,
                                      const Control& control);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "error.hpp"
 #include "session/make_part.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 RunOutput run(const RunConfig& config, const std::string& mesh_file, const Control& control) {
   if (config.part == Part::none && !mesh_file.empty())
@@ -24,4 +24,4 @@ RunOutput run(const RunConfig& config, const std::string& mesh_file, const Contr
   return {std::move(solved.result), std::move(part.outer), std::move(part.cavity)};
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -14,7 +14,7 @@
 #include "session/build_info.hpp"
 #include "solve/ipopt.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 std::string processor_name() {
@@ -63,4 +63,4 @@ Provenance make_provenance(const device::Device& device) {
   return p;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "device/device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Stored with every result.
 struct Provenance {
@@ -22,4 +22,4 @@ struct Provenance {
 
 [[nodiscard]] Provenance make_provenance(const device::Device& device);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -14,7 +14,7 @@
 #include "formulation/quadric.hpp"
 #include "solve/solver.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double tungsten = 19.3, foam = 0.02;  // g/cm^3: denser is not to be had, nor much lighter
@@ -142,4 +142,4 @@ std::string what_would_help(const RunConfig& config, const Body& body, const Pro
   return fmt::format("{}", fmt::join(help, "; or "));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

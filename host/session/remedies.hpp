@@ -6,7 +6,7 @@
 #include "session/config.hpp"
 #include "session/pipeline.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 class Problem;
 
@@ -18,4 +18,4 @@ class Problem;
 [[nodiscard]] std::string what_would_help(const RunConfig& config, const Body& body, const Problem& problem,
                                           device::Device& device, const Control& control);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace kreisel {
+namespace kreisel::core {
 
 double RunResult::gap() const {
   const double f = outcome.objective, bound = certificate.value().bound;
@@ -19,4 +19,4 @@ Moments RunResult::model_moments(const Moments& body) const {
   return turned;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

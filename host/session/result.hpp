@@ -14,7 +14,7 @@
 #include "solve/certificate.hpp"
 #include "solve/solver.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Seconds of one timed solve. `kernels` (device events) is part of `solve`; total = setup + solve.
 struct Seconds {
@@ -34,7 +34,7 @@ struct RoundingCost {
 /// The written part, judged from the file that was written.
 struct Verified {
   Verdict verdict;
-  std::string file;                   ///< empty: checked on a temporary file
+  std::string file;                   ///< empty: it was not written
   Moments moments = Moments::Zero();  ///< of that file, body frame and units
   double rounding_mismatch =
       0;  ///< largest |difference| to RoundingCost::moments: must be round-off of the file
@@ -91,4 +91,4 @@ struct RunResult {
   [[nodiscard]] Moments model_moments(const Moments& body) const;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

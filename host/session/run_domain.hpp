@@ -7,7 +7,7 @@
 #include "formulation/quadric.hpp"
 #include "session/config.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// What of a body can be filled: voxels and the rays through them, or rays cut at the wall. One of the two.
 struct RunDomain {
@@ -27,4 +27,4 @@ struct RunDomain {
   [[nodiscard]] Rays rays() const { return exact ? rays_of(*exact) : rays_of(*columns); }
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

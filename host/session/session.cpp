@@ -8,7 +8,7 @@
 #include "problem/turned.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 bool same_pose(const Body& a, const Body& b) { return a.axis == b.axis && a.contact == b.contact; }
@@ -96,7 +96,7 @@ std::shared_ptr<const Body> Session::pose_of(const RunConfig& question, const Bo
 
 std::shared_ptr<const Session::Laid> Session::domain_of(const RunConfig& question,
                                                         const std::shared_ptr<const Body>& pose, Along rays) {
-  DomainKey key{body_.value(), pose->axis,   pose->contact, kreisel::domain_of(question),
+  DomainKey key{body_.value(), pose->axis,   pose->contact, kreisel::core::domain_of(question),
                 question.grid, question.wall};
   const bool turns = rays == Along::any_axis && key.kind == "exact" && question.formulation == "quadric" &&
                      question.problem != "balance" && !pose->axle;
@@ -149,7 +149,7 @@ Stages Session::stages(const RunConfig& question, const Control& control, Along 
   // What needs no work is checked first, so that a typing error costs no time.
   const ProblemEntry& asked = find_problem(question.problem);
   (void)find_formulation(question.formulation);
-  (void)kreisel::domain_of(question);
+  (void)kreisel::core::domain_of(question);
   Stages stages;
   const Stopwatch opening;
   stages.device = device_of(question);
@@ -158,7 +158,7 @@ Stages Session::stages(const RunConfig& question, const Control& control, Along 
   const BodySpec spec = asked.posed(question.body);
   const std::shared_ptr<const Body> body = body_of(question, spec, stages.device);
   control.stop_if_asked();
-  const std::shared_ptr<const Body> pose = pose_of(question, spec, body);
+  const std::shared_ptr<const Body> pose = stages.pose = pose_of(question, spec, body);
   const std::shared_ptr<const Laid> laid = domain_of(question, pose, rays);
   stages.domain = laid->domain;
   control.stop_if_asked();
@@ -175,4 +175,4 @@ const Provenance& Session::provenance() {
   return *provenance_;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

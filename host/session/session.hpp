@@ -17,12 +17,13 @@
 #include "session/run_domain.hpp"
 #include "solve/solver.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// What an answer stands on. Moments are in the frame of `body`, in which the rays lie.
 struct Stages {
   std::shared_ptr<device::Device> device;
   std::shared_ptr<const Body> body;
+  std::shared_ptr<const Body> pose;  ///< as the question lays it: another frame where the rays were kept
   std::shared_ptr<const RunDomain> domain;
   std::shared_ptr<Formulation> formulation;  ///< of the domain; refers to it and to the device
   std::shared_ptr<const Problem> problem;
@@ -152,4 +153,4 @@ class Session {
   std::vector<std::string_view> made_;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

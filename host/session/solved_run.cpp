@@ -9,7 +9,7 @@
 #include "session/remedies.hpp"
 #include "solve/explain.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 double median(std::vector<double> values) {
@@ -64,11 +64,14 @@ SolvedRun::SolvedRun(Session& session, const RunConfig& config, const Control& c
     : stop_(control.stop), solver_(&checked_solver(config)), options_(options_of(config, *solver_)) {
   stages_ = session.stages(config, control, rays);
   require_form(*solver_, *stages_.problem);
-  const double setup_seconds = whole_.seconds() - stages_.opening_seconds;
+  setup_seconds_ = whole_.seconds() - stages_.opening_seconds;
   result.config = config;
   result.config.solver = solver_->name;
   describe_run(session.provenance());
-  repeat_solve(setup_seconds, control);
+}
+
+void SolvedRun::solve(const Control& control) {
+  repeat_solve(control);
   if (result.outcome.termination != Termination::infeasible) return;
   control.tell("look for what cannot be met");
   result.infeasibility = explain_infeasible(*solver_, task(), options_);
@@ -82,6 +85,7 @@ void SolvedRun::look_for_remedies(const Control& control) {
 }
 
 void SolvedRun::complete(const Control& control) {
+  solve(control);
   look_for_remedies(control);
   if (result.config.certify > 0) certify(control);
 }
@@ -108,7 +112,7 @@ void SolvedRun::describe_run(const Provenance& provenance) {
   r.scope = problem().scope(mass());
 }
 
-void SolvedRun::repeat_solve(double setup_seconds, const Control& control) {
+void SolvedRun::repeat_solve(const Control& control) {
   RunResult& r = result;
   options_.on_refinement = [&](const Refinement& round) {
     control.tell(fmt::format("refine: {} cells, {} of the finest, {} still to split", round.variables,
@@ -118,10 +122,10 @@ void SolvedRun::repeat_solve(double setup_seconds, const Control& control) {
   while (static_cast<int>(r.samples.size()) < r.config.repeat &&
          (r.samples.empty() || (budget.seconds() < r.config.budget_seconds && !control.stopped()))) {
     control.tell(fmt::format("solve {} of {}", r.samples.size() + 1, r.config.repeat));
-    r.outcome = solve(*solver_, task(), options_);
+    r.outcome = core::solve(*solver_, task(), options_);
     if (r.outcome.termination == Termination::interrupted) throw Interrupted();
-    r.samples.push_back({setup_seconds, r.outcome.kernel_seconds, r.outcome.solve_seconds,
-                         setup_seconds + r.outcome.solve_seconds});
+    r.samples.push_back({setup_seconds_, r.outcome.kernel_seconds, r.outcome.solve_seconds,
+                         setup_seconds_ + r.outcome.solve_seconds});
   }
   options_.on_refinement = {};
   r.median = medians(r.samples);
@@ -137,7 +141,7 @@ void SolvedRun::certify(const Control& control) {
   CertifyOptions options;
   options.gap = r.config.certify;
   options.stop = control.stop;
-  r.certificate = kreisel::certify(problem(), stages_.domain->rays(), mass(), *stages_.device, options);
+  r.certificate = kreisel::core::certify(problem(), stages_.domain->rays(), mass(), *stages_.device, options);
   go_on_from_the_certificate();
   control.stop_if_asked();
   certifying_ = watch.seconds();
@@ -149,7 +153,7 @@ void SolvedRun::go_on_from_the_certificate() {
   if (stages_.formulation->name() != "quadric" || !(r.certificate->best < f - 1e-9 * std::abs(f))) return;
   SolverOptions from_there = options_;
   from_there.from = r.certificate->best_x;
-  Outcome again = solve(*solver_, task(), from_there);
+  Outcome again = core::solve(*solver_, task(), from_there);
   if (!(again.objective < f) || again.violation > std::max(r.outcome.violation, 1e-9)) return;
   again.message += fmt::format(
       "; from the certificate's start, for the first solve ended in a local optimum of {:.6f}", f);
@@ -158,4 +162,4 @@ void SolvedRun::go_on_from_the_certificate() {
   r.outcome = std::move(again);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,24 +7,27 @@
 #include "session/session.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The stages of a session -> solver, repeated; and where they are asked for, what would help where that is
 /// infeasible, and the certificate.
 class SolvedRun {
  public:
-  /// @throws InputError   bad configuration or mesh
-  /// @throws Interrupted  before there was a result
-  /// @throws MemoryError  the solver has too little
+  /// Makes the stages. @throws InputError, Interrupted
   SolvedRun(Session& session, const RunConfig& config, const Control& control = {},
             Along rays = Along::own_axis);
 
+  /// Solves, as often as asked; says what cannot be met where that is so.
+  /// @throws InputError   settings that do not fit
+  /// @throws Interrupted  before there was a result
+  /// @throws MemoryError  the solver has too little
+  void solve(const Control& control = {});
   /// Where the result is infeasible: what would help. May take many solves. @throws Interrupted
   void look_for_remedies(const Control& control = {});
   /// Bounds what there is to gain, to result.config.certify. Where that finds a better interior than a solver
   /// that can start anywhere, has it go on from there. @throws Interrupted
   void certify(const Control& control = {});
-  /// Both, as far as the configuration asks for them.
+  /// All three, as far as the configuration asks for them.
   void complete(const Control& control = {});
 
   [[nodiscard]] const Body& body() const { return *stages_.body; }
@@ -50,14 +53,14 @@ class SolvedRun {
  private:
   void describe_run(const Provenance& provenance);
   void go_on_from_the_certificate();
-  void repeat_solve(double setup_seconds, const Control& control);
+  void repeat_solve(const Control& control);
 
   Stopwatch whole_;
   std::stop_token stop_;
   const SolverEntry* solver_;
   SolverOptions options_;
   Stages stages_;
-  double certifying_ = 0;
+  double setup_seconds_ = 0, certifying_ = 0;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

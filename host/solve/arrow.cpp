@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// More rows in the border than this are no help: the border costs the cube of their number.
@@ -89,4 +89,4 @@ void Arrow::solve(std::span<double> x) const {
   Eigen::Map<Vector>(x.data(), size_)(border) = y.col(0);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "solve/arrow_shape.hpp"
 #include "solve/symmetric_indefinite.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Solves K x = r for a symmetric K with the shape of an arrow (ArrowShape), of any inertia:
 ///
@@ -72,4 +72,4 @@ class Arrow {
   int negative_ = 0;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "solve/arrow_shape.hpp"
 #include "solve/symmetric_indefinite.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Eigen::ArrayXd;
@@ -209,4 +209,4 @@ void ArrowGroup::behind_border(std::span<const double> store, std::span<const do
   for (const Vector& part : parts) sum(tied_) += part;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The blocks of one size: those of one row are a diagonal.
 ///
@@ -72,4 +72,4 @@ class ArrowGroup {
   std::vector<std::size_t> delayed_;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

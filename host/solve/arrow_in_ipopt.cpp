@@ -9,7 +9,7 @@
 
 #include "solve/arrow.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// The systems of the solve that is running. Ipopt has one, and more where a phase of its own has another
@@ -107,4 +107,4 @@ ArrowInIpopt::ArrowInIpopt() {
 
 ArrowInIpopt::~ArrowInIpopt() { systems.clear(); }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

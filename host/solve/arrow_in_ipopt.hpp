@@ -5,7 +5,7 @@
 
 #include "solve/linear_algebra.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Whether the linear systems of a problem have the shape of an arrow, from the structure of its derivatives
 /// and bounds; nothing is evaluated. @param exact  Ipopt will ask for the Hessian
@@ -25,4 +25,4 @@ class ArrowInIpopt {
   SerialBlas serial_blas_;  // Ipopt's own vectors are too short to be shared
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

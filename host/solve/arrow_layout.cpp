@@ -4,7 +4,7 @@
 
 #include "solve/arrow.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -83,4 +83,4 @@ void Arrow::lay_out(const Pattern& pattern) {
   }
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

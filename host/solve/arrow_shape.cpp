@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Who is tied to whom, in one array.
@@ -110,4 +110,4 @@ std::optional<ArrowShape> ArrowShape::of(const Pattern& pattern) {
   return Search(pattern).run();
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Where the entries of a symmetric matrix are: each pair once, from `base` on; a pair may come again.
 struct Pattern {
@@ -32,4 +32,4 @@ struct ArrowShape {
   static std::optional<ArrowShape> of(const Pattern& pattern);
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

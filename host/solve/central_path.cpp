@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A symmetric matrix by rows.
@@ -84,4 +84,4 @@ void to_central_path(std::span<double> x, std::span<const double> slope, const S
   }
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "formulation/formulation.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Moves x to the central path of given multipliers: the minimiser of
 ///     slope . x + x^T R x / 2 - barrier sum_i (log(x_i - lower_i) + log(upper_i - x_i)),
@@ -20,4 +20,4 @@ namespace kreisel {
 void to_central_path(std::span<double> x, std::span<const double> slope, const SparseForm* form,
                      const Bounds& bounds, double barrier);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

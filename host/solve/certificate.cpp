@@ -12,7 +12,7 @@
 #include "solve/moment.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Multipliers that keep their promise of a sign.
@@ -147,4 +147,4 @@ Certificate certify(const Problem& problem, const Rays& domain, const MassModel&
   return c;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

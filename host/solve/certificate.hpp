@@ -12,7 +12,7 @@
 #include "solve/solver.hpp"
 #include "solve/spin_box.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 struct CertifyOptions {
   double gap = 1e-3;      ///< stop when (best - bound) / |best| is no larger; > 0
@@ -63,4 +63,4 @@ struct Certificate {
 [[nodiscard]] Certificate certify(const Problem& problem, const Rays& domain, const MassModel& mass,
                                   device::Device& device, const CertifyOptions& options);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 
 #include "control.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -291,4 +291,4 @@ void certify_centred(Certificate& certificate, const Spinning& problem, const Ta
   certificate.bound = certificate.boxes.front().value;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

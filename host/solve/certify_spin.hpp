@@ -5,7 +5,7 @@
 
 #include "solve/certificate.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Fills in the boxes and the bound of a certificate, and what it finds that is better than `outcome`.
 /// @param spent  seconds so far, which count
@@ -18,4 +18,4 @@ void certify_spin(Certificate& certificate, const Spinning& problem, const Task&
 void certify_centred(Certificate& certificate, const Spinning& problem, const Task& task,
                      const SafeSupport& support, const Outcome& outcome);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

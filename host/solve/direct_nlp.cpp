@@ -3,7 +3,7 @@
 
 #include "solve/nlp.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 class DirectNlp final : public Nlp {
@@ -146,4 +146,4 @@ Ipopt::SmartPtr<Nlp> make_direct_nlp(const Task& task, std::vector<double> start
   return new DirectNlp(task, std::move(start));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 
 #include "solve/dual.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Vector = Eigen::VectorXd;
@@ -97,4 +97,4 @@ RowDistance distance_to_rows(SupportOracle& domain, const MassModel& mass, const
   return result;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

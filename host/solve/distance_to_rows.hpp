@@ -6,7 +6,7 @@
 #include "formulation/support_oracle.hpp"
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Between all C s of fillings and the box lower <= v <= upper: Euclidean, body units (masses M, first
 /// moments M L, second M L^2).
@@ -24,4 +24,4 @@ struct RowDistance {
                                            const LinearConstraints& constraints, double relative = 1e-3,
                                            double least = 1e-7, std::stop_token stop = {});
 
-}  // namespace kreisel
+}  // namespace kreisel::core

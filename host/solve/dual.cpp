@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace kreisel {
+namespace kreisel::core {
 
 Support TotalSupport::operator()(const Moments& q, bool with_hessian) {
   ++(with_hessian ? hessian_passes_ : passes_);
@@ -392,4 +392,4 @@ DualPoint minimise_model(TotalSupport& oracle, const QuadraticModel& model, cons
   }
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

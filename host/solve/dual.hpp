@@ -9,7 +9,7 @@
 #include "formulation/support_oracle.hpp"
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The oracle for total moments, shell included, that counts its passes.
 class TotalSupport {
@@ -72,4 +72,4 @@ struct DualPoint {
 [[nodiscard]] DualPoint minimise_model(TotalSupport& oracle, const QuadraticModel& model, const Rows& rows,
                                        const Eigen::VectorXd& start, double tolerance);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 
 #include "parse.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Some of a problem's constraints, with the margin as the goal.
@@ -91,4 +91,4 @@ std::string explain_infeasible(const SolverEntry& solver, const Task& task, cons
                      fmt::join(words, ", "), fmt::join(amounts, ", "));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "solve/solver.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// One sentence for a task that the solver found infeasible: which constraints are out of reach each by
 /// itself, or else which cannot be met together; all of them, the worst first, and by how much each is missed
@@ -14,4 +14,4 @@ namespace kreisel {
 [[nodiscard]] std::string explain_infeasible(const SolverEntry& solver, const Task& task,
                                              const SolverOptions& options);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

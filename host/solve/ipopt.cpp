@@ -19,7 +19,7 @@
 #include "solve/nlp.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Termination termination_of(Ipopt::ApplicationReturnStatus status) {
@@ -207,4 +207,4 @@ Outcome solve_with_ipopt(const Task& task, const SolverOptions& options) {
 
 std::string ipopt_version() { return IPOPT_VERSION; }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "solve/solver.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Interior-point solve [Waechter and Biegler 2006] in one of two forms, chosen by Ipopt's own option
 /// hessian_approximation:
@@ -23,4 +23,4 @@ Outcome solve_with_ipopt(const Task& task, const SolverOptions& options);
 /// Version of the Ipopt library, such as "3.11.9".
 std::string ipopt_version();
 
-}  // namespace kreisel
+}  // namespace kreisel::core

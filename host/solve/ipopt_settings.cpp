@@ -11,7 +11,7 @@
 #include "nearest.hpp"
 #include "solve/arrow_in_ipopt.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Settings = IpoptSettings;
@@ -170,4 +170,4 @@ void set_ipopt_option(Ipopt::IpoptApplication& app, const std::string& name, con
         fmt::format("ipopt.{} = {} is not a value Ipopt takes: {}", name, value, option->ShortDescription()));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

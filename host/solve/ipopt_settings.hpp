@@ -9,7 +9,7 @@
 #include "solve/nlp.hpp"
 #include "solve/solver.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 using IpoptSettings = std::map<std::string, std::string>;
 
@@ -33,4 +33,4 @@ using IpoptSettings = std::map<std::string, std::string>;
 /// @throws InputError  an option or a value that Ipopt does not know
 void set_ipopt_option(Ipopt::IpoptApplication& app, const std::string& name, const std::string& value);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "solve/nlp.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr std::size_t ten = 10;
@@ -187,4 +187,4 @@ Ipopt::SmartPtr<Nlp> make_lifted_nlp(const Task& task, std::vector<double> start
   return new LiftedNlp(task, std::move(start), convexify);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 void set_blas_threads(int count) {
@@ -54,4 +54,4 @@ void reserve_blas_buffers() {
   Ipopt::IpBlasDgemm(false, false, n, n, n, 1.0, a.data(), n, a.data(), n, 0.0, c.data(), n);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

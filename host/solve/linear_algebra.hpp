@@ -4,7 +4,7 @@
 #include <IpIpoptApplication.hpp>
 #include <string>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Hears the complaints of Ipopt's linear solver, which otherwise end in "restoration failed".
 class MemoryJournal final : public Ipopt::Journal {
@@ -43,4 +43,4 @@ inline constexpr double blas_bytes = 0x1p28;
 /// Call it while there are blas_bytes; with another library of that interface nothing comes of it.
 void reserve_blas_buffers();
 
-}  // namespace kreisel
+}  // namespace kreisel::core

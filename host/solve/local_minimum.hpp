@@ -7,7 +7,7 @@
 
 #include "body/moments.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Is f larger for all other fillings whose moments are near and meet the constraints? By a condition of
 /// second order [docs/quadric.md, s. 3]; the first to give one were Hafner, Ly, Wojtan 2024.
@@ -29,4 +29,4 @@ struct LocalMinimum {
 /// The name used in files: yes, no, undecided.
 [[nodiscard]] std::string_view to_string(LocalMinimum::Answer answer);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

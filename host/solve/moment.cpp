@@ -14,7 +14,7 @@
 #include "solve/second_order.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 struct MomentOptions {
@@ -314,4 +314,4 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
   return outcome;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "solve/dual.hpp"
 #include "solve/solver.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Where a search in the moments is: moments, the multipliers of its rows (rows_of), and the quadric they
 /// make.
@@ -41,4 +41,4 @@ enum class Phase { going_on, converged, infeasible, stalled, interrupted };
 /// @throws InputError  another option or unfit value
 [[nodiscard]] Outcome solve_with_moments(const Task& task, const SolverOptions& options);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

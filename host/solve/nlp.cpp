@@ -5,7 +5,7 @@
 
 #include "solve/central_path.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 Nlp::Nlp(const Task& task, std::vector<double> start)
     : task_(task),
@@ -219,4 +219,4 @@ void Nlp::own_row_bounds(Number* lower, Number* upper) const {
   std::ranges::copy(own_.upper, upper);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

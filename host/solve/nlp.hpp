@@ -7,7 +7,7 @@
 
 #include "solve/solver.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Bookkeeping of a solve: start point, iterates, final x, and the problem's constraints as rows. The forms
 /// add functions and derivatives.
@@ -135,4 +135,4 @@ Ipopt::SmartPtr<Nlp> make_direct_nlp(const Task& task, std::vector<double> start
 ///                   a minimum the entries of free variables are positive, so the end stays quadratic.
 Ipopt::SmartPtr<Nlp> make_lifted_nlp(const Task& task, std::vector<double> start, bool convexify);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

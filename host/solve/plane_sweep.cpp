@@ -10,7 +10,7 @@
 #include "problem/stand.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
@@ -137,4 +137,4 @@ Outcome solve_with_plane_sweep(const Task& task, const SolverOptions&) {
   return outcome;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

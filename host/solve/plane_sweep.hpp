@@ -3,7 +3,7 @@
 
 #include "solve/solver.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Carves voxels from the side of the target on which the centre of mass is, in the order of decreasing
 /// distance from the vertical plane through the target, up to the carving with the smallest horizontal error;
@@ -21,4 +21,4 @@ namespace kreisel {
 /// @throws InputError  a problem other than stand, or target = max-tilt
 [[nodiscard]] Outcome solve_with_plane_sweep(const Task& task, const SolverOptions& options);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double eps = 0x1p-53;
@@ -103,4 +103,4 @@ std::optional<double> SafeSupport::largest_ratio(const Moments& numerator, const
   return std::nullopt;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

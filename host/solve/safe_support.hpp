@@ -6,7 +6,7 @@
 #include "body/body.hpp"
 #include "formulation/quadric_moments.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// h(q) = min q . s over the attainable total moments of a bundle of intervals, summed on the host in double:
 /// certificates do not depend on a device. [docs/quadric.md, s. 4]
@@ -40,4 +40,4 @@ class SafeSupport {
   double chain_;  ///< longest chain of additions
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

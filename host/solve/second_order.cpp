@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
@@ -116,4 +116,4 @@ LocalMinimum second_order(const Problem& problem, TotalSupport& oracle, const Mo
   return result;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -4,7 +4,7 @@
 #include "solve/local_minimum.hpp"
 #include "solve/moment.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The condition itself: the smallest eigenvalue of B + G^+ against G^+ on the moments d in the range of G
 /// with C d = 0, without an inverse of G. [docs/quadric.md, s. 3]
@@ -24,4 +24,4 @@ namespace kreisel {
 [[nodiscard]] LocalMinimum second_order(const Problem& problem, TotalSupport& oracle,
                                         const MomentPoint& point, double tolerance);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

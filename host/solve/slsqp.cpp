@@ -22,7 +22,7 @@
 #include "solve/nlp.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// What every solver meets, in body units; a result that misses more did not meet the constraints.
@@ -313,4 +313,4 @@ Outcome solve_with_slsqp(const Task& task, const SolverOptions& options) {
   return outcome;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "solve/solver.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// More variables are refused: SLSQP keeps dense matrices of n x n (some 40 n^2 bytes), and each iteration
 /// takes n^3 operations.
@@ -23,4 +23,4 @@ constexpr std::size_t slsqp_most_variables = 2000;
 ///                     a result whose cells are coarser than asked for would be taken for one of the others
 Outcome solve_with_slsqp(const Task& task, const SolverOptions& options);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -14,7 +14,7 @@
 #include "stopwatch.hpp"
 #include "unknown_name.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 std::string_view to_string(Termination termination) {
   switch (termination) {
@@ -221,4 +221,4 @@ Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& 
   return all;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

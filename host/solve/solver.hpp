@@ -14,7 +14,7 @@
 #include "problem/problem.hpp"
 #include "solve/local_minimum.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 enum class Termination { optimal, acceptable, infeasible, failed, interrupted };
 
@@ -134,4 +134,4 @@ void require_form(const SolverEntry& solver, const Problem& problem);
 /// seconds and history are of all steps, the rest of the last.
 [[nodiscard]] Outcome solve(const SolverEntry& solver, const Task& task, const SolverOptions& options);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -246,4 +246,4 @@ BoxMinimum minimise_box(TotalSupport& oracle, const SpinWeights& f, const SpinRe
   return out;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "solve/moment.hpp"
 #include "solve/safe_support.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Heights of the centre of mass, and where f weighs sz^2 also first moments sz; body units.
 struct SpinRegion {
@@ -70,4 +70,4 @@ struct BoxMinimum {
 [[nodiscard]] BoxMinimum minimise_box(TotalSupport& oracle, const SpinWeights& f, const SpinRegion& region,
                                       const MomentPoint& near, double tolerance = 1e-12);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 
 #include "solve/arrow_shape.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Eigen::Index;
@@ -158,4 +158,4 @@ void SymmetricIndefinite<Most>::solve(Eigen::Ref<Eigen::MatrixXd> x) const {
 template class SymmetricIndefinite<Eigen::Dynamic>;
 template class SymmetricIndefinite<arrow_block>;
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// P A P^T = L D L^T with D of 1 x 1 and 2 x 2 blocks, by complete pivoting: the largest entry that is left
 /// decides [Bunch, Parlett 1971]. For systems of a few to a few hundred rows; cost n^3 / 3 multiplications
@@ -48,4 +48,4 @@ class SymmetricIndefinite {
   double smallest_ = 0;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

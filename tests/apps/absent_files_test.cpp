@@ -7,7 +7,7 @@
 #include "record/nest_record.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 class BenchAbsentFiles : public testing::Test {
@@ -66,4 +66,4 @@ TEST_F(BenchAbsentFiles, RefusesAFolderThatIsNone) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

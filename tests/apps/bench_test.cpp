@@ -16,7 +16,7 @@
 #include "mesh/shapes.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -260,4 +260,4 @@ TEST_F(Bench, EndsWithTheSolveWhenNoPartIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

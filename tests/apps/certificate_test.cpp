@@ -8,7 +8,7 @@
 #include "apps/run_bench.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 const std::string python = "/usr/bin/python3";
@@ -157,4 +157,4 @@ TEST_F(Certified, AGapThatIsNoneIsRefused) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

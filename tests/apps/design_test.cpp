@@ -16,7 +16,7 @@
 #include "mesh/solid/self_intersections.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -258,4 +258,4 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"stand kitten -o part.stl --axle 3", "'--axle' was not expected"}));
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "record/record.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -203,4 +203,4 @@ TEST_F(Endings, CtrlCWhileSolvingWritesNothing) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

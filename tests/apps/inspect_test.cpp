@@ -8,7 +8,7 @@
 #include "mesh/mesh_folder.hpp"
 #include "mesh/shapes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using nlohmann::json;
@@ -116,4 +116,4 @@ TEST_F(Inspect, RefusesWhatIsNoMeshInOneLine) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,13 +7,13 @@
 #include <cstdlib>
 #include <string>
 
-namespace kreisel {
+namespace kreisel::core {
 
 inline bool installed(const std::string& program) {
   return std::system(fmt::format("command -v '{}' > /dev/null 2>&1", program).c_str()) == 0;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core
 
 /// Ends a test for which something is missing: skipped on a developer's machine, failed where KREISEL_CI is
 /// set, for `setup.sh --ci` has installed all of it. A macro, because only the test itself can return.

@@ -7,7 +7,7 @@
 #include "apps/run_bench.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 class LimitedRun : public ::testing::Test {
@@ -63,4 +63,4 @@ TEST_F(LimitedRun, KeepsNoMeshAndNeedsLimitsAboveNothing) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

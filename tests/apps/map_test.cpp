@@ -11,7 +11,7 @@
 #include "apps/run_bench.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 class BenchMap : public ::testing::Test {
@@ -128,4 +128,4 @@ TEST_F(BenchMap, RefusesWhatItCannotDoInOneLine) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

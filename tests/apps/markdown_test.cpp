@@ -12,7 +12,7 @@
 #include "experiment/table_places.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,4 +115,4 @@ TEST_F(MarkdownReport, FillsOnlyTheExperimentsThatAreNamed) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "mesh/io/write.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A box of 60 x 40 x 30 mm that is to balance 7 mm beside its middle. With walls of 3.75 mm a little over
@@ -111,4 +111,4 @@ TEST_F(TwoMaterials, StandByThePlaneSweepHigherThanTheyCould) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

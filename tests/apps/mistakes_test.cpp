@@ -13,7 +13,7 @@
 #include "mesh/shapes.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -279,4 +279,4 @@ TEST_F(BenchExperiment, IntoAFileInsteadOfAFolderIsRefused) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "record/nest_record.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 class BenchLayers : public testing::Test {
@@ -86,4 +86,4 @@ TEST_F(BenchLayers, RefusesWhatDoesNotGoTogetherInOneLine) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

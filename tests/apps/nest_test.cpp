@@ -15,7 +15,7 @@
 #include "nest/known_answers.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A cube of 4 and one of 2 within it.
@@ -136,4 +136,4 @@ TEST_F(BenchNest, RefusesUnknownFreedomsAndVariantsInOneLine) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -13,7 +13,7 @@
 #include "mesh/io/write.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using nlohmann::json;
@@ -126,4 +126,4 @@ TEST_F(OctreeRun, BySlsqpStopsOnCtrlCWithinAnIteration) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

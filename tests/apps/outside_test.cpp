@@ -14,7 +14,7 @@
 #include "apps/run_design.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// The number behind `name` and blanks or '='; NaN without one.
@@ -138,4 +138,4 @@ TEST_F(Outside, CgalFindsASurfaceThatBoundsAVolumeAndDoesNotRunThroughItself) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -12,7 +12,7 @@
 #include "apps/run_design.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 class Page : public ::testing::Test {
@@ -100,4 +100,4 @@ TEST_F(Page, OfANestedDollTakesItApart) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

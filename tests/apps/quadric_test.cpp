@@ -9,7 +9,7 @@
 #include "apps/run_bench.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 class QuadricRun : public testing::Test {
@@ -74,4 +74,4 @@ TEST_F(QuadricRun, RefusesADomainThatAFormulationCannotUse) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-namespace kreisel {
+namespace kreisel::core {
 
 struct BenchAnswer {
   int code;
@@ -43,4 +43,4 @@ inline BenchAnswer bench(const std::string& arguments, const std::string& before
   return shell(fmt::format("{} '{}' {}", before, KREISEL_BENCH, arguments));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

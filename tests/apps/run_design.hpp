@@ -3,10 +3,10 @@
 
 #include "apps/run_bench.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 inline BenchAnswer design(const std::string& arguments, const std::string& before = "") {
   return shell(fmt::format("{} '{}' {}", before, KREISEL_DESIGN, arguments));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

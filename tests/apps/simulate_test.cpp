@@ -13,7 +13,7 @@
 #include "apps/run_bench.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using nlohmann::json;
@@ -131,4 +131,4 @@ TEST_F(BenchSimulate, RefusesWhatItCannotDoInOneLine) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "nest/known_objectives.hpp"
 #include "refusal.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 class BaselineOf : public testing::TestWithParam<Baseline> {};
@@ -47,4 +47,4 @@ TEST(Baselines, RefuseTooFewParticlesAndUnknownNames) {
 }
 
 }  // namespace
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -13,7 +13,7 @@
 #include "refusal.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Moments moments_of(const TriangleMesh& mesh) { return reference::mesh_moments(mesh).value; }
@@ -83,4 +83,4 @@ TEST(Axle, ThatDoesNotFitIsRefused) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

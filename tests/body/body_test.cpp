@@ -17,7 +17,7 @@
 #include "temporary_folder.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A box of 20 x 10 x 5 mm with its corner at the origin, written as OFF.
@@ -305,4 +305,4 @@ TEST(Body, RefusesANegativeFineness) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

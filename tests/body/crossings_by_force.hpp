@@ -8,7 +8,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Edges that pass through the inside of a triangle they share no corner with. Two surfaces that cross do so
 /// along a curve, and where that enters or leaves a triangle an edge is pierced, so 0 means no crossing
@@ -54,4 +54,4 @@ inline int crossing_edges(const TriangleMesh& mesh) {
   return crossing;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -13,7 +13,7 @@
 #include "error.hpp"
 #include "mesh/solid/check.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 const DebianMesh tetrahedron{"tetrahedron", "tetra.off", "for this test"};
@@ -111,4 +111,4 @@ TEST(DebianMeshes, AreAllSolids) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "body/mesh_moments.hpp"
 #include "body/test_meshes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using std::numbers::pi;
@@ -288,4 +288,4 @@ TEST(WaterlineOf, OfABoxIsProportionalToTheVolume) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

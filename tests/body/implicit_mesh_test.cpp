@@ -10,7 +10,7 @@
 #include "body/models/blend.hpp"
 #include "mesh/solid/check.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -76,4 +76,4 @@ TEST(Blend, JoinFillsTheSeamByAQuarterOfItsWidthAndNothingBeyond) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "mesh/solid/check.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 class MeshMomentsOn : public testing::TestWithParam<bool> {
@@ -119,4 +119,4 @@ TEST(MeshMomentsReference, AbsoluteSumsBoundTheValues) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

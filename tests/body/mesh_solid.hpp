@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Mass, centre and inertia about the centre of the solid inside a mesh at unit density.
 struct Solid {
@@ -32,4 +32,4 @@ inline Solid solid_of(const TriangleMesh& mesh) {
   return s;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "body/mesh_solid.hpp"
 #include "body/models.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -145,4 +145,4 @@ TEST(Models, OfTheTableHaveItsProportions) {  // [RayRep, table 1]
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

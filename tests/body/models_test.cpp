@@ -18,7 +18,7 @@
 #include "error.hpp"
 #include "mesh/solid/check.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Vec3 lowest_point(const TriangleMesh& mesh) {
@@ -255,4 +255,4 @@ TEST(Bird, FillsTheGridAsThePaperCounts) {  // [RayRep, table 2]
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

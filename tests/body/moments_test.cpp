@@ -5,7 +5,7 @@
 #include "body/mesh_moments.hpp"
 #include "body/test_meshes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Every formula here is a few dozen operations on numbers no larger than the largest: 64 roundings.
@@ -113,4 +113,4 @@ TEST(Moments, InertiaOfATurnedBoxTurnsWithIt) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

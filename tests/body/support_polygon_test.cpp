@@ -9,7 +9,7 @@
 #include "domain/test_bodies.hpp"
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Coordinates of order one, a handful of roundings each.
@@ -237,4 +237,4 @@ TEST(SupportPolygon, APointAnEdgeOrASliverIsNoBase) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

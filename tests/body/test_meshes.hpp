@@ -10,7 +10,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 using Random = std::mt19937_64;
 
@@ -100,4 +100,4 @@ inline TriangleMesh triangle_soup(std::size_t count, std::uint64_t seed) {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

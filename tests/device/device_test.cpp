@@ -13,7 +13,7 @@
 #include "error.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(Device, ListsAtLeastOneDeviceAndNumbersThemInOrder) {
@@ -190,4 +190,4 @@ INSTANTIATE_TEST_SUITE_P(BothPrecisions, RealBufferOn, testing::Bool(),
                          [](const auto& p) { return p.param ? "single" : "standard"; });
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -15,7 +15,7 @@
 #include "temporary_folder.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -150,4 +150,4 @@ TEST_F(Program, OfEveryEmbeddedKernelBuildsInBothPrecisions) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

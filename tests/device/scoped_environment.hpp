@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Sets an environment variable and restores its old state at the end of the scope.
 class ScopedEnvironment {
@@ -28,4 +28,4 @@ class ScopedEnvironment {
   std::optional<std::string> old_;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

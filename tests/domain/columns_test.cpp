@@ -9,7 +9,7 @@
 #include "error.hpp"
 #include "mesh/solid/check.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 GridSpec resolution(int n) {
@@ -220,4 +220,4 @@ TEST(Columns, RefuseAWallThatLeavesNoInterior) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

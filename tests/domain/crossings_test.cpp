@@ -8,7 +8,7 @@
 #include "body/test_meshes.hpp"
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Column centres at the multiples of 1/4 from -1/2 to 3/2, exactly.
@@ -170,4 +170,4 @@ TEST(Crossings, OfAFineUprightTorusBalanceEverywhere) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -14,7 +14,7 @@
 #include "mesh/query/distance.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 GridSpec resolution(int n) {
@@ -202,4 +202,4 @@ TEST(Exact, RefusesAWallThatLeavesNoInterior) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Counts = std::array<int, 3>;
@@ -94,4 +94,4 @@ TEST(Grid, RefusesCountsOutsideWhatAVoxelIndexHolds) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "domain/test_bodies.hpp"
 #include "mesh/query/distance.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 struct Plain {
@@ -89,4 +89,4 @@ TEST(Interior, OfABoxWhoseWallEndsOnCentresIsAsIfEveryVoxelWereAsked) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

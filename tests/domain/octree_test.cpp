@@ -7,7 +7,7 @@
 
 #include "body/test_meshes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Grid grid_of(int nx, int ny, int nz) {
@@ -86,4 +86,4 @@ TEST(Octree, SharedFacesAreThoseThatNeighbouringCellsSee) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "body/mesh_moments.hpp"
 #include "body/test_meshes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// `local` is in body units already; its own coordinates are `length` times as large.
 inline Body body_of(TriangleMesh local, double length = 1) {
@@ -22,4 +22,4 @@ inline Body body_of(TriangleMesh local, double length = 1) {
   return body;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

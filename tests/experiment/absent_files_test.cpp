@@ -9,7 +9,7 @@
 #include "experiment/table.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Runs of which some name files that nobody has, in a folder of models that is empty.
@@ -141,4 +141,4 @@ TEST_F(AbsentFiles, AreNotModelsNorNamesThatNobodyKnows) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -4,7 +4,7 @@
 
 #include "experiment/recorded_runs.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 RecordedRun certified_run() {
@@ -42,4 +42,4 @@ TEST(CertificateTable, HasDashesForWhatWasNotCertifiedOrDidNotRun) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

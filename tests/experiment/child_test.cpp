@@ -5,7 +5,7 @@
 #include "refusal.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(Child, EndsByItselfWithItsCodeAndItsLastWords) {
@@ -51,4 +51,4 @@ TEST(Limits, AreToldFromOtherErrorsAndFromOtherLimits) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

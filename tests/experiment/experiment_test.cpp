@@ -13,7 +13,7 @@
 #include "experiment/table.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Experiment parse(const std::string& text) { return parse_experiment(text, "folder/trial.toml"); }
@@ -374,4 +374,4 @@ TEST(IpoptUntouched, SolvesTheSameGridsWithNothingOfOursWithinLimits) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "experiment/data_folder.hpp"
 #include "experiment/recorded_runs.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A box of 2 x 4 x 6 body lengths about a centre off the origin, of mass 48 body masses.
@@ -77,4 +77,4 @@ TEST(InertiaTable, ShowsThePaperAloneBeforeTheRun) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -4,7 +4,7 @@
 
 #include "experiment/recorded_runs.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 RecordedRun run_by(const std::string& linear_solver, double seconds, double objective) {
@@ -44,4 +44,4 @@ TEST(LinearSolverTable, TakesARunWithoutTheOption) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

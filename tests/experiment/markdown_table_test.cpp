@@ -6,7 +6,7 @@
 
 #include "refusal.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Tables two_blocks() {
@@ -68,4 +68,4 @@ TEST(Markdown, WrapsLongNotesInsideTheirItem) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "refusal.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// What a search over placements might have found.
@@ -244,4 +244,4 @@ TEST(NestExperiments, RefuseKeysOfSolvesAndWhatDoesNotFitWithTheLine) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

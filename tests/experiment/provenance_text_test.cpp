@@ -4,7 +4,7 @@
 
 #include "experiment/recorded_runs.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(ProvenanceText, SaysWhereWhatAndWhen) {
@@ -39,4 +39,4 @@ TEST(ProvenanceText, KnowsMapsAndNestings) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -4,7 +4,7 @@
 
 #include "experiment/recorded_runs.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Published printed() {
@@ -71,4 +71,4 @@ TEST(PublishedTable, HasABlockALabelAndGivesNoSpeedForWhatDidNotConverge) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 
 #include "experiment/table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// An optimal run of the ellipsoid on 40x26x26 by rayrep: 0.5 s, 1300 variables, 20 iterations, objective
 /// 0.8.
@@ -43,4 +43,4 @@ inline std::string squeezed_line(const std::string& text, const std::string& beg
   return "no line begins with " + beginning + " in\n" + text;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

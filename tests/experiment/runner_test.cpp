@@ -16,7 +16,7 @@
 #include "record/record.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -344,4 +344,4 @@ TEST_F(Runner, LeavesNoRecordOfARunInterruptedBetweenTwoTimedSolves) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

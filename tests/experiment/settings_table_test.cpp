@@ -4,7 +4,7 @@
 
 #include "experiment/recorded_runs.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 RecordedRun run_with(const std::string& start, double seconds, double objective) {
@@ -88,4 +88,4 @@ TEST(FormulationsTable, ComparesFormulationsOfOneBodyAndDomain) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

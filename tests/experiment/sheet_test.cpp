@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(Cell, RoundsForReadersAndKeepsAllDigitsForPrograms) {
@@ -49,4 +49,4 @@ TEST(Tables, PutBlocksBelowEachOtherAndOneHeadingOverTheirCsv) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include "experiment/recorded_runs.hpp"
 #include "physics/test_bodies.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(SimulationTable, HasAPartThatSpinsWhereItsSolidFalls) {
@@ -44,4 +44,4 @@ TEST(SimulationTable, HasAPartThatSpinsWhereItsSolidFalls) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

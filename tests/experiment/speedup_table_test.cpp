@@ -7,7 +7,7 @@
 
 #include "experiment/recorded_runs.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 RecordedRun run_of(const std::string& formulation, double seconds, double objective, double gap) {
@@ -65,4 +65,4 @@ TEST(SpeedupTable, FitsALineWithQuadrics) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "experiment/recorded_runs.hpp"
 #include "experiment/voids_table.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 RecordedRun dinosaur(const std::string& label) {
@@ -72,4 +72,4 @@ TEST(VoidsTable, ShowsAPublishedRowThatNoRunIsOfWithThePapersFiguresAlone) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

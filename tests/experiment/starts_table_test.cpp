@@ -5,7 +5,7 @@
 #include "experiment/data_folder.hpp"
 #include "experiment/recorded_runs.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 RecordedRun start(const std::string& label, const std::string& seed, double objective, int evaluations) {
@@ -56,4 +56,4 @@ TEST(StartsTable, SaysNothingOfATaskWithoutAResult) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

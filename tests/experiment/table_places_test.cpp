@@ -4,7 +4,7 @@
 
 #include "refusal.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 const std::string file =
@@ -81,4 +81,4 @@ TEST(TablePlaces, ThatCannotBeReadAreRefusedWithTheirLine) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -17,7 +17,7 @@
 #include "experiment/text_table.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 struct Literal {
@@ -361,4 +361,4 @@ TEST(GapColumn, IsThereWhenARunIsCertified) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

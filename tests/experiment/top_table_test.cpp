@@ -7,7 +7,7 @@
 #include "experiment/data_folder.hpp"
 #include "experiment/recorded_runs.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A square plate of 10 mm a length: solid at a height of 0.5 and 1 thick, written flat and low.
@@ -49,4 +49,4 @@ TEST(TopTable, OfYoyosHasNoSpeeds) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -12,7 +12,7 @@
 #include "mesh/solid/check.hpp"
 #include "mesh/solid/self_intersections.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A box with a box-shaped cavity in it, turned.
@@ -134,4 +134,4 @@ TEST(CutInHalves, RefusesAPlaneThatMisses) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 
 #include "mesh/shapes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A closed solid over [0, 1] x [0, 1] between two height fields.
@@ -78,4 +78,4 @@ TEST(HighPlaces, OfARingThatStandsIsItsTop) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

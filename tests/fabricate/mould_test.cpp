@@ -15,7 +15,7 @@
 #include "mesh/solid/components.hpp"
 #include "mesh/solid/self_intersections.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -145,4 +145,4 @@ TEST(Castings, WithAVoidInsideAreRefused) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

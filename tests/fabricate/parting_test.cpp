@@ -8,7 +8,7 @@
 #include "body/models/geodesic.hpp"
 #include "mesh/shapes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(Parting, OfABallIsAnyPlaneThroughItsMiddle) {
@@ -44,4 +44,4 @@ TEST(Parting, OfALetterIsAcrossItsStroke) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "problem/balance.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 struct Densities {
@@ -120,4 +120,4 @@ TEST(Parts, WithoutVoidsOrWithoutFillLeaveThoseOut) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -17,7 +17,7 @@
 #include "mesh/solid/solid.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Body model(const char* name) {
@@ -190,4 +190,4 @@ TEST(QuadricCavity, RefusesACellThatIsThickerThanTheWall) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -12,7 +12,7 @@
 #include "mesh/solid/check.hpp"
 #include "mesh/solid/self_intersections.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Sound: closed, outward when turned over, and not running through itself.
@@ -109,4 +109,4 @@ TEST(SweptVoid, IsTheSameEveryTime) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "mesh/shapes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(ThinnestMaterial, IsTheWebBetweenTwoVoidsWhereThatIsThinnerThanTheWall) {
@@ -30,4 +30,4 @@ TEST(ThinnestMaterial, IsInfiniteWithoutACavity) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

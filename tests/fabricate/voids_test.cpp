@@ -9,7 +9,7 @@
 #include "domain/test_bodies.hpp"
 #include "fabricate/void_surface.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 const std::array<Vec3, 3> axes = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
@@ -125,4 +125,4 @@ TEST(Voids, OfVoxelsAreThoseThatHangTogetherByFaces) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 
 #include "mesh/shapes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(Wall, IsTheLeastDistanceOfTwoBoxes) {
@@ -40,4 +40,4 @@ TEST(Wall, IsInfiniteWithoutACavity) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include "formulation/torus_domain.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// What moments_of() and a sum of boxes may be off by: 32 roundings of terms no larger than these.
@@ -93,4 +93,4 @@ TEST_P(CellMomentsOn, OfNoCubesAreNone) { EXPECT_TRUE(kernel_({}).empty()); }
 INSTANTIATE_TEST_SUITE_P(, CellMomentsOn, testing::Bool());
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "error.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Two intervals in many columns, rounding and a spacing that is no power of two.
@@ -321,4 +321,4 @@ TEST(ParseStart, KnowsThreeWordsAndNamesThem) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

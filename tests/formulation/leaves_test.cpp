@@ -9,7 +9,7 @@
 #include "domain/test_bodies.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Columns of one or two runs, most of them whole, on a grid that is no cube: shell in many places, and
@@ -111,4 +111,4 @@ TEST(Leaves, AreAgainWhatTheyWereWhenAllThatWasSplitIsMerged) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

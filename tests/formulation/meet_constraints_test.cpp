@@ -9,7 +9,7 @@
 #include "mesh/solid/check.hpp"
 #include "solve/test_tasks.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 const Columns& box() { return BoxDomain::columns(); }
@@ -81,4 +81,4 @@ TEST(MeetConstraints, KeepsTheSurfaceAManifold) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

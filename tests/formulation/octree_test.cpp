@@ -9,7 +9,7 @@
 #include "refusal.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 std::unique_ptr<Formulation> make(const FormulationSettings& settings = {}) {
@@ -197,4 +197,4 @@ TEST(OctreeFormulation, TellsItsSettingsAndRefusesUnfitOnes) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "domain/grid.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Spacing and origin that single precision has to round.
 inline Grid odd_grid() {
@@ -14,4 +14,4 @@ inline Grid odd_grid() {
   return grid;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -13,7 +13,7 @@
 #include "formulation/ray_moments.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Rays random_intervals(std::size_t count, Random& random) {
@@ -193,4 +193,4 @@ TEST(QuadricHessian, OfASlabCutByAPlaneIsClosedForm) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "formulation/odd_grid.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 struct Rays {
@@ -292,4 +292,4 @@ INSTANTIATE_TEST_SUITE_P(BothPrecisionsAndUnits, RayMomentsOn,
                          [](const auto& p) { return name_of(p.param); });
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "domain/columns.hpp"
 #include "domain/test_bodies.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Two runs in many columns, more columns in a row than a vector is long, a grid of 6 levels that it does not
 /// fill, and a spacing that is no power of two.
@@ -21,4 +21,4 @@ inline const Columns& torus() {
   return domain;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

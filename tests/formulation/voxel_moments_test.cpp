@@ -9,7 +9,7 @@
 #include "formulation/odd_grid.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// `count` cells all over the grid; cells may repeat, which sums do not mind.
@@ -213,4 +213,4 @@ INSTANTIATE_TEST_SUITE_P(BothPrecisions, VoxelMomentsOn, testing::Bool(),
                          [](const auto& p) { return p.param ? "single" : "standard"; });
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

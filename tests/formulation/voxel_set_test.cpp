@@ -6,7 +6,7 @@
 
 #include "body/test_meshes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A block of n voxels that is all interior.
@@ -182,4 +182,4 @@ TEST(VoxelSet, NumbersVoxelsByIntervalAndUpwards) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "body/test_meshes.hpp"
 #include "geometry/predicates.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
@@ -103,4 +103,4 @@ TEST(FlipDelaunay, KeepsTheRim) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 __extension__ typedef __int128 Wide;  // not ISO, but of every 64-bit GCC and Clang
@@ -86,4 +86,4 @@ TEST(Predicates, FindTheProjectionOfSliversAndNoneOfLines) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

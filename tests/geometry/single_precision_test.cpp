@@ -8,7 +8,7 @@
 
 #include "body/test_meshes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(SinglePrecision, RoundsEveryCoordinateOfAListInPlace) {
@@ -26,4 +26,4 @@ TEST(SinglePrecision, RoundsEveryCoordinateOfAListInPlace) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

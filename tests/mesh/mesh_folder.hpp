@@ -12,7 +12,7 @@
 #include "mesh/io/read.hpp"
 #include "refusal.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 class MeshFolder : public ::testing::Test {
  protected:
@@ -42,4 +42,4 @@ class MeshFolder : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "body/test_meshes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 inline TriangleMesh inverted(TriangleMesh mesh) {
   for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
@@ -55,4 +55,4 @@ inline TriangleMesh torus(int m, int n, bool twisted = false) {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

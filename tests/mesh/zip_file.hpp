@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace kreisel {
+namespace kreisel::core {
 
 inline std::uint32_t crc32(const std::string& bytes) {
   std::uint32_t crc = ~0u;
@@ -58,4 +58,4 @@ inline std::string zip_file(const std::vector<std::pair<std::string, std::string
   return archive;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "refusal.hpp"
 #include "test_device.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 constexpr std::array variants_of_tests = {"peel", "envelope", "exact", "hybrid"};
@@ -129,4 +129,4 @@ TEST(BadInput, NothingFreeIsASearchOfTheScaleAlone) {
 }
 
 }  // namespace
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -7,7 +7,7 @@
 
 #include "nest/decide/views.hpp"
 
-namespace kreisel::nest::reference {
+namespace kreisel::core::nest::reference {
 
 struct Fragment {
   double w;
@@ -65,4 +65,4 @@ inline std::optional<bool> bad_pixel(const Nesting& nesting, const Placement& pl
   return answer;
 }
 
-}  // namespace kreisel::nest::reference
+}  // namespace kreisel::core::nest::reference

@@ -3,7 +3,7 @@
 
 #include "nest/decide/feasibility.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// A ball of radius `scale` about the centroid is inside the unit ball.
 class InsideBall final : public Feasibility {
@@ -16,4 +16,4 @@ class InsideBall final : public Feasibility {
   }
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -12,7 +12,7 @@
 #include "body/test_meshes.hpp"
 #include "nest/decide/nesting.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 inline TriangleMesh ball(int frequency, const Vec3& radii = Vec3::Ones()) {
   return wrap_geodesic(frequency, [&](const Vec3& u) -> Vec3 { return u.cwiseProduct(radii); });
@@ -156,4 +156,4 @@ inline std::vector<KnownAnswer> known_answers() {
   return all;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

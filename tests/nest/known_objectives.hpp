@@ -8,7 +8,7 @@
 
 #include "nest/search/objective.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// -|x - target|^2 over numbers, directions and rotations: angles squared for the last two. 0 at the target.
 /// Infeasible where the first number is under `wall`.
@@ -56,4 +56,4 @@ class Target : public Objective {
   std::size_t asked_ = 0;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -3,7 +3,7 @@
 
 #include "nest/known_answers.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// Shapes small enough to cast rays at all triangles: smooth, with flat walls and edges through pixel
 /// centres, with a hole, with folds, running through itself.
@@ -36,4 +36,4 @@ inline Placement random_placement(Random& random, bool aligned) {
   return placement;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -13,7 +13,7 @@
 #include "mesh/solid/components.hpp"
 #include "refusal.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Closed, oriented, outward.
@@ -105,4 +105,4 @@ TEST(OffsetSurface, RefusesWhatIsNoOffset) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "physics/yoyo_fall.hpp"
 #include "refusal.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(TiltingPlane, TopplesABoxOverItsEdgesAndCorners) {
@@ -38,4 +38,4 @@ TEST(YoyoFall, IsSlowerTheSlimmerTheAxle) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace kreisel {
+namespace kreisel::core {
 
 struct Jacobi {
   double sn, cn, dn;
@@ -25,4 +25,4 @@ inline Jacobi jacobi(double u, double k) {
   return {sn, std::cos(phi), std::sqrt(1 - k * k * sn * sn)};
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -14,7 +14,7 @@
 #include "physics/test_bodies.hpp"
 #include "refusal.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -233,4 +233,4 @@ TEST(Motion, RefusesWhatCannotMove) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "physics/units.hpp"
 #include "refusal.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(RightingArm, OfABoxFollowsTheWallSidedFormula) {
@@ -71,4 +71,4 @@ TEST(RightingArm, RefusesWhatSinks) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

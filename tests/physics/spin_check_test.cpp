@@ -9,7 +9,7 @@
 #include "physics/test_bodies.hpp"
 #include "refusal.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 const Moments top = moments_of(0.4, 0.6, {0.08, 0.08, 0.12});
@@ -69,4 +69,4 @@ TEST(CheckSpin, RefusesOptionsInOneLine) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

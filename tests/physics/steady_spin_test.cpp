@@ -14,7 +14,7 @@
 #include "physics/test_bodies.hpp"
 #include "physics/units.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -193,4 +193,4 @@ TEST(Units, OneIsTheRootOfLengthOverGravity) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "body/moments.hpp"
 #include "physics/rigid_body.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// @param inertia  about the centre of mass
 inline Moments moments_of(double mass, const Vec3& centre, const Eigen::Matrix3d& inertia) {
@@ -27,4 +27,4 @@ inline Vec3 random_principal(std::mt19937& random) {
   return Vec3::Constant(second.sum()) - second;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

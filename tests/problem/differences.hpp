@@ -10,7 +10,7 @@
 #include "error.hpp"
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Moments as a body in body units has them: a few boxes, some of them holes, of total volume near one, well
 /// above z = 0.
@@ -67,4 +67,4 @@ inline void expect_text(const Verdict& verdict, const std::string& part) {
   EXPECT_NE(verdict.text.find(part), std::string::npos) << verdict.text;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "domain/test_bodies.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Of a box of 2 x 1 x 0.5 about (0, 0, 0.25) in the body frame, whose x is the model's y, y its z, z its x.
@@ -46,4 +46,4 @@ TEST(RayDirection, OnALineGoesByWhatIsAcrossIt) {
 TEST(RayDirection, IsOpenInNoOtherProblem) { EXPECT_FALSE(ray_direction("spin", {}, lying_box())); }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

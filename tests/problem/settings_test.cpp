@@ -5,7 +5,7 @@
 #include "problem/problem.hpp"
 #include "refusal.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(ProblemSettings, OfTheRegistryAreThoseThatEachProblemTakes) {
@@ -29,4 +29,4 @@ TEST(ProblemSettings, OfTheRegistryAreThoseThatEachProblemTakes) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

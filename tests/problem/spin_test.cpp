@@ -10,7 +10,7 @@
 #include "error.hpp"
 #include "problem/differences.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Eigen::Matrix3d about_x(double degrees) {
@@ -242,4 +242,4 @@ TEST(MakeProblem, RefusesUnknownNamesAndUnfitSettings) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

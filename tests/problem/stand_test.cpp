@@ -8,7 +8,7 @@
 #include "domain/test_bodies.hpp"
 #include "problem/differences.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double round_off = 64 * 0x1p-53;  // numbers of order one, a handful of roundings each
@@ -199,4 +199,4 @@ TEST(MakeStand, RefusesUnfitSettingsAndBodies) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

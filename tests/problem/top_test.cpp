@@ -10,7 +10,7 @@
 #include "problem/principal_angle.hpp"
 #include "problem/yoyo.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double round_off = 256 * 0x1p-53;  // quotients of sums of a few dozen products
@@ -136,4 +136,4 @@ TEST(MakeTop, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

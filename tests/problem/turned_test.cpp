@@ -5,7 +5,7 @@
 #include "problem/differences.hpp"
 #include "problem/spin.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A product with a 10 x 10 matrix of numbers up to ten, and what made it: a few hundred roundings at most.
@@ -120,4 +120,4 @@ TEST(Turned, PassesTheNextProblemOn) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

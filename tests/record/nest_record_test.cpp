@@ -10,7 +10,7 @@
 #include "refusal.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A sphere in an ellipsoid, in files.
@@ -153,4 +153,4 @@ TEST_F(NestRecord, RefusesOtherFilesAndCheckpointsOfOtherSearches) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

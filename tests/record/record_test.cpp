@@ -16,7 +16,7 @@
 #include "refusal.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -484,4 +484,4 @@ TEST_F(Record, IsReadByH5py) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

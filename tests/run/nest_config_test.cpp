@@ -4,7 +4,7 @@
 
 #include "refusal.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A value for every field that is not its default.
@@ -139,4 +139,4 @@ TEST(NestConfig, RefusesWhatDoesNotFitTogether) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "session/pipeline.hpp"
 #include "temporary_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 OrientationMap map_of(const MapSpec& spec) {
@@ -227,4 +227,4 @@ TEST_F(Map, RefusesWhatItCannotMap) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

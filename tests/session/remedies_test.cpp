@@ -9,7 +9,7 @@
 #include "problem/balance.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 RunConfig config_of(double wall) {
@@ -111,4 +111,4 @@ TEST(WhatWouldHelp, KnowsLighterVoids) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "temporary_folder.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Made = std::vector<std::string_view>;
@@ -25,12 +25,16 @@ RunConfig question(const char* problem = "spin") {
 }
 
 Outcome ask(Session& session, const RunConfig& config) {
-  return SolvedRun(session, config, {}, Along::any_axis).result.outcome;
+  SolvedRun run(session, config, {}, Along::any_axis);
+  run.solve();
+  return run.result.outcome;
 }
 
 Outcome ask_cold(const RunConfig& config) {
   Session session;
-  return SolvedRun(session, config).result.outcome;
+  SolvedRun run(session, config);
+  run.solve();
+  return run.result.outcome;
 }
 
 class OfASession : public testing::Test {
@@ -166,4 +170,4 @@ TEST(Sessions, InEightThreadsGiveTheSameBitsAsInSequence) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Eigen::MatrixXd;
@@ -200,4 +200,4 @@ TEST(ArrowShape, OfNothingIsEmpty) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

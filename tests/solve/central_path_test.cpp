@@ -6,7 +6,7 @@
 
 #include "body/test_meshes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(CentralPath, OfOneVariableIsTheRootOfItsQuadratic) {
@@ -54,4 +54,4 @@ TEST(CentralPath, MakesTheGradientOfTheBarrierProblemVanish) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -13,7 +13,7 @@
 #include "solve/certified_cases.hpp"
 #include "solve/certify_spin.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(SafeSupport, IsTheReferenceUpToItsMargin) {
@@ -232,4 +232,4 @@ TEST(MomentSolver, ReachesTheCertifiedOptimumFromRandomStarts) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

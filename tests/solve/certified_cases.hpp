@@ -15,7 +15,7 @@
 #include "solve/certify_spin.hpp"
 #include "solve/test_tasks.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 inline constexpr double gap = 1e-3;
 
@@ -139,4 +139,4 @@ inline int expect_certified_or_separated(Random& random,
   return feasible;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

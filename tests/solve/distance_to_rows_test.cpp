@@ -7,7 +7,7 @@
 #include "formulation/quadric.hpp"
 #include "solve/test_tasks.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// The box of BoxDomain without a shell: all that is there is its interior, of mass `area * height`.
@@ -76,4 +76,4 @@ TEST_F(Distance, OfRowsWithARangeIsToItsNearerEnd) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

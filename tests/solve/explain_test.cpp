@@ -9,7 +9,7 @@
 #include "solve/rows.hpp"
 #include "solve/ways.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double area = BoxDomain::area, bottom = BoxDomain::base, whole = area * BoxDomain::height;
@@ -92,4 +92,4 @@ INSTANTIATE_TEST_SUITE_P(Ways, Explain, testing::ValuesIn(ways()),
                          [](const auto& p) { return name_of(p.param); });
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

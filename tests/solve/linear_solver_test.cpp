@@ -8,7 +8,7 @@
 #include "solve/certified_cases.hpp"
 #include "solve/solver.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 struct Asked {
@@ -159,4 +159,4 @@ TEST(LinearSolver, CalledMa27IsNotInstalled) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "solve/rows.hpp"
 #include "solve/ways.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double whole = BoxDomain::area * BoxDomain::height;  // mass of the domain
@@ -21,7 +21,7 @@ class MarginOf : public testing::TestWithParam<Way> {
     const MassModel mass;
     const Task task{rows, *f, mass, test_device()};
     const Outcome outcome =
-        kreisel::solve(default_solver(GetParam().formulation), task, options_of(GetParam()));
+        kreisel::core::solve(default_solver(GetParam().formulation), task, options_of(GetParam()));
     gap_ = gap_of(task, outcome, 1);
     EXPECT_LT(gap_, 1e-3) << "or the solver stopped far from what it calls optimal";
     // The smallest t: what the worst row is missed by, or, negative, what the tightest has to spare.
@@ -158,4 +158,4 @@ TEST(SolveInSequence, StopsAtAStepThatFails) {
 TEST(SolveInSequence, GivesUpAfterFiftySteps) { EXPECT_EQ(run(1000).steps, 50); }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -17,7 +17,7 @@
 #include "solve/dual.hpp"
 #include "solve/test_tasks.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 struct Solved {
@@ -281,4 +281,4 @@ TEST(MomentSolver, FillsABoxFromBelow) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "problem/spin.hpp"
 #include "solve/test_tasks.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Eigen::MatrixXd;
@@ -353,4 +353,4 @@ INSTANTIATE_TEST_SUITE_P(Forms, NlpOf, testing::ValuesIn(kinds()),
                          [](const auto& p) { return name_of(p.param); });
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "problem/stand.hpp"
 #include "solve/ways.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr double area = BoxDomain::area, bottom = BoxDomain::base, top = bottom + BoxDomain::height;
@@ -64,7 +64,7 @@ class Optimum : public testing::TestWithParam<Way> {
     if (problem.traits().filling == Filling::either_end && !voxels() &&
         name_of(GetParam()) != "rayrep_convex")
       options.from = half_full(formulation_->bounds());
-    const Outcome outcome = kreisel::solve(default_solver(GetParam().formulation), task, options);
+    const Outcome outcome = kreisel::core::solve(default_solver(GetParam().formulation), task, options);
     EXPECT_TRUE(outcome.termination == Termination::optimal || outcome.termination == Termination::acceptable)
         << outcome.message;
     gap_ = gap_of(task, outcome, 1);
@@ -224,4 +224,4 @@ INSTANTIATE_TEST_SUITE_P(Ways, Optimum, testing::ValuesIn(ways()),
                          [](const auto& p) { return name_of(p.param); });
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

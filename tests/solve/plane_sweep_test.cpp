@@ -10,7 +10,7 @@
 #include "problem/stand.hpp"
 #include "solve/test_tasks.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A base whose centroid is at (x, y).
@@ -141,4 +141,4 @@ TEST(PlaneSweep, IsRefusedForOtherProblems) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -4,7 +4,7 @@
 #include "solve/certified_cases.hpp"
 #include "solve/ways.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 std::unique_ptr<Formulation> make(const Case& on, const std::string& name,
@@ -84,4 +84,4 @@ TEST(Refine, BeginsAgainFromCoarseCellsWithEverySolve) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

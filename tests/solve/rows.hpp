@@ -6,7 +6,7 @@
 
 #include "problem/problem.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Feasible or not, whatever the value: szz.
 class RowsProblem : public Problem {
@@ -46,4 +46,4 @@ class RowsProblem : public Problem {
   LinearConstraints constraints_;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -17,7 +17,7 @@
 #include "solve/dual.hpp"
 #include "solve/test_tasks.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Answer = LocalMinimum::Answer;
@@ -247,4 +247,4 @@ TEST(SecondOrder, TellsASaddleFromAMinimumOfAFamilyThatForks) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "refusal.hpp"
 #include "solve/certified_cases.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 std::unique_ptr<Formulation> octree(const Columns& domain, const FormulationSettings& settings = {}) {
@@ -102,4 +102,4 @@ TEST(Slsqp, RefusesOptionsThatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

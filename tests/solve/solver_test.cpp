@@ -9,7 +9,7 @@
 #include "problem/spin.hpp"
 #include "solve/test_tasks.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 const char* const exact = "exact";
@@ -270,4 +270,4 @@ TEST(Termination, HasANameForEveryCase) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

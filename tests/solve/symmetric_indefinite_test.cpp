@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Eigen::MatrixXd;
@@ -92,4 +92,4 @@ TEST(SymmetricIndefinite, SaysThatAMatrixIsSingular) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "solve/solver.hpp"
 #include "test_device.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Minimise szz subject to s1 = mass, sx = sy = 0. Over a domain above z = 0 the optimum fills it from below.
 class LowestMass final : public RowsProblem {
@@ -53,4 +53,4 @@ struct BoxDomain {
   }
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -13,7 +13,7 @@
 #include "solve/certified_cases.hpp"
 #include "solve/ways.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A square box about a height, in cells of 1/8 with one of wall, and what is fixed: a plate in its middle.
@@ -200,4 +200,4 @@ TEST(MomentSolver, SolvesTopsOfABodyOfRevolution) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 
 #include "solve/test_tasks.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 struct Way {
   std::string formulation, hessian;  ///< no Hessian to choose: the moment solver
@@ -41,4 +41,4 @@ inline double gap_of(const Task& task, const Outcome& outcome, double size) {
   return (3 * n + 10) * outcome.complementarity + 8 * n * outcome.dual_infeasibility + 1e-7 * size;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

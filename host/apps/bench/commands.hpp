@@ -9,7 +9,7 @@
 #include "run/simulation.hpp"
 #include "session/config.hpp"
 
-namespace kreisel::bench {
+namespace kreisel::core::bench {
 
 using namespace apps;  // exit codes, checks of outputs, progress
 
@@ -82,4 +82,4 @@ int list();
 /// Devices with what they say and what was measured. @param measure  false: only what they say
 int devices(bool measure, const std::string& only);
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::core::bench

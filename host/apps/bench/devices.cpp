@@ -4,7 +4,7 @@
 #include "device/probe.hpp"
 #include "error.hpp"
 
-namespace kreisel::bench {
+namespace kreisel::core::bench {
 namespace {
 
 constexpr double giga = 1e9, mebi = 1 << 20, gibi = 1 << 30;
@@ -50,4 +50,4 @@ int devices(bool measure, const std::string& only) {
   return done;
 }
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::core::bench

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "apps/bench/commands.hpp"
-#include "apps/shared/program.hpp"
 #include "apps/shared/outputs.hpp"
+#include "apps/shared/program.hpp"
 #include "body/source.hpp"
 #include "error.hpp"
 #include "experiment/absent_files.hpp"
@@ -16,7 +16,7 @@
 #include "experiment/table.hpp"
 #include "record/record.hpp"
 
-namespace kreisel::bench {
+namespace kreisel::core::bench {
 namespace {
 
 void require_shapes(const ExperimentRun& run) {
@@ -68,7 +68,7 @@ int run_experiment(const ExperimentOptions& options) {
   }
   RunnerHooks hooks;
   hooks.stop = interruption();
-  const RunCounts counts = kreisel::run_experiment(experiment, runner, hooks);
+  const RunCounts counts = kreisel::core::run_experiment(experiment, runner, hooks);
 
   const std::vector<RecordedRun> runs = collect(experiment, runner.results);
   fmt::print("{}", table_text(experiment, runs));
@@ -81,4 +81,4 @@ int run_experiment(const ExperimentOptions& options) {
   return counts.failed + counts.unconverged > 0 ? not_converged : done;
 }
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::core::bench

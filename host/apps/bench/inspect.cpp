@@ -16,7 +16,7 @@
 #include "mesh/solid/solid.hpp"
 #include "problem/problem.hpp"
 
-namespace kreisel::bench {
+namespace kreisel::core::bench {
 namespace {
 
 using nlohmann::json;
@@ -208,4 +208,4 @@ int inspect_model(const InspectOptions& options) {
   return done;
 }
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::core::bench

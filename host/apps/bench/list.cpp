@@ -10,7 +10,7 @@
 #include "problem/problem.hpp"
 #include "solve/solver.hpp"
 
-namespace kreisel::bench {
+namespace kreisel::core::bench {
 namespace {
 
 void print_models() {
@@ -49,4 +49,4 @@ int list() {
   return done;
 }
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::core::bench

@@ -14,8 +14,8 @@
 
 namespace {
 
-using kreisel::InputError;
-using namespace kreisel::bench;
+using kreisel::core::InputError;
+using namespace kreisel::core::bench;
 
 struct Parsed {
   OnceOptions once;
@@ -69,7 +69,7 @@ void add_map_options(CLI::App& app, Parsed& parsed) {
 }
 
 void add_nest_options(CLI::App& app, NestOptions& nest) {
-  kreisel::apps::add_nest_fields(app, nest.given);
+  kreisel::core::apps::add_nest_fields(app, nest.given);
   app.add_option("--json", nest.json_file, "write the answer as JSON; - for standard output");
   app.add_option("--record", nest.record_file, "write the whole run as HDF5");
   app.add_option("--checkpoint", nest.checkpoint_file,
@@ -80,8 +80,8 @@ void add_nest_options(CLI::App& app, NestOptions& nest) {
 
 int dispatch(int argc, char** argv) {
   CLI::App app("Kreisel: where must material go inside a shape so that it spins, stands or floats?", "bench");
-  app.set_version_flag(
-      "--version", fmt::format("kreisel {} ({})", kreisel::build_info::version, kreisel::build_info::commit));
+  app.set_version_flag("--version", fmt::format("kreisel {} ({})", kreisel::core::build_info::version,
+                                                kreisel::core::build_info::commit));
   app.require_subcommand(0, 1);
   Parsed parsed;
   add_run_options(app, parsed);
@@ -169,4 +169,4 @@ int dispatch(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) { kreisel::apps::run_program("bench", dispatch, argc, argv); }
+int main(int argc, char** argv) { kreisel::core::apps::run_program("bench", dispatch, argc, argv); }

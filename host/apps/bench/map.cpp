@@ -9,7 +9,7 @@
 #include "record/record.hpp"
 #include "session/orientation_map.hpp"
 
-namespace kreisel::bench {
+namespace kreisel::core::bench {
 namespace {
 
 std::string share(std::size_t part, std::size_t whole) {
@@ -74,4 +74,4 @@ int map_model(const MapOptions& options) {
   return map.best() ? done : infeasible;
 }
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::core::bench

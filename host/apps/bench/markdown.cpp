@@ -14,7 +14,7 @@
 #include "experiment/table_places.hpp"
 #include "file/write_text.hpp"
 
-namespace kreisel::bench {
+namespace kreisel::core::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,4 +79,4 @@ int report_markdown(const ReportOptions& options) {
   return done;
 }
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::core::bench

@@ -11,7 +11,7 @@
 #include "nest/search/baseline.hpp"
 #include "record/nest_record.hpp"
 
-namespace kreisel::bench {
+namespace kreisel::core::bench {
 namespace {
 
 /// What a search that goes on may be told anew: nothing that would lead it elsewhere.
@@ -119,4 +119,4 @@ int nest_shapes(const NestOptions& options) {
   return result.accuracy || result.valid ? done : infeasible;
 }
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::core::bench

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace kreisel::bench {
+namespace kreisel::core::bench {
 
 void print_layers(const NestResult& result) {
   const nest::Tolerances& tolerances = result.config.tolerances;
@@ -36,4 +36,4 @@ void print_landscape(const NestResult& result) {
              static_cast<double>(result.evaluations), map.descents);
 }
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::core::bench

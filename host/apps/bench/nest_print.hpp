@@ -3,9 +3,9 @@
 
 #include "run/nest_run.hpp"
 
-namespace kreisel::bench {
+namespace kreisel::core::bench {
 
 void print_layers(const NestResult& result);
 void print_landscape(const NestResult& result);
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::core::bench

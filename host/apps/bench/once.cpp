@@ -11,7 +11,7 @@
 #include "record/record.hpp"
 #include "session/pipeline.hpp"
 
-namespace kreisel::bench {
+namespace kreisel::core::bench {
 namespace {
 
 void print_certificate(const RunResult& r) {
@@ -140,4 +140,4 @@ int run_once(const OnceOptions& options) {
                                                       : exit_code(result.outcome.termination);
 }
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::core::bench

@@ -26,7 +26,7 @@
 
 extern char** environ;
 
-namespace kreisel::bench {
+namespace kreisel::core::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -159,4 +159,4 @@ int report(const ReportOptions& options) {
   return call(script, tables, options.output);
 }
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::core::bench

@@ -10,7 +10,7 @@
 #include "record/nest_record.hpp"
 #include "record/record.hpp"
 
-namespace kreisel::bench {
+namespace kreisel::core::bench {
 namespace {
 
 std::vector<std::filesystem::path> records_in(const std::string& path) {
@@ -106,4 +106,4 @@ int show(const std::vector<std::string>& paths) {
   return done;
 }
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::core::bench

@@ -14,7 +14,7 @@
 #include "physics/units.hpp"
 #include "record/simulation_record.hpp"
 
-namespace kreisel::bench {
+namespace kreisel::core::bench {
 namespace {
 
 /// A line of the table: what, and what it is for the solid and the part.
@@ -167,4 +167,4 @@ int simulate_part(const SimulateOptions& options) {
   return done;
 }
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::core::bench

@@ -4,7 +4,7 @@
 
 #include "error.hpp"
 
-namespace kreisel::bench {
+namespace kreisel::core::bench {
 
 void add_simulate_options(CLI::App& app, SimulateOptions& simulate,
                           const std::function<void(const std::string&, const std::string&)>& give) {
@@ -51,4 +51,4 @@ void add_simulate_options(CLI::App& app, SimulateOptions& simulate,
   app.add_option("--record", simulate.record_file, "write the simulation as HDF5");
 }
 
-}  // namespace kreisel::bench
+}  // namespace kreisel::core::bench

@@ -18,8 +18,8 @@
 
 namespace {
 
-using kreisel::InputError;
-using namespace kreisel::apps;
+using kreisel::core::InputError;
+using namespace kreisel::core::apps;
 
 /// What `design` can make: a problem, what it says in --help, the options it has of its own.
 struct Purpose {
@@ -36,7 +36,7 @@ const Purpose purposes[] = {
 
 struct Parsed {
   RunOptions run;
-  kreisel::DesignSpec spec;
+  kreisel::core::DesignSpec spec;
   DesignOutputs outputs;
   NestArguments nest;
 };
@@ -73,29 +73,31 @@ void add_options(CLI::App& app, Parsed& parsed, const Purpose& purpose) {
 }
 
 int make(Parsed& parsed, const std::string& problem) {
-  kreisel::RunConfig& config = parsed.spec.config;
+  kreisel::core::RunConfig& config = parsed.spec.config;
   config.problem = problem;
   config.formulation = "quadric";
   config.grid.resolution = 128;
-  config.wall = kreisel::parse_wall("2%");
+  config.wall = kreisel::core::parse_wall("2%");
   parsed.run.apply(config);
   const DesignOutputs& outputs = parsed.outputs;
   outputs.require_writable();
-  const std::string three = outputs.html.empty() ? "" : kreisel::installed_three();
+  const std::string three = outputs.html.empty() ? "" : kreisel::core::installed_three();
   parsed.spec.file = outputs.part;
-  const kreisel::Design design = [&] {
+  const kreisel::core::Design design = [&] {
     const StepLine line;
-    return make_design(parsed.spec, line.control());
+    kreisel::core::Session session;
+    return make_design(session, parsed.spec, line.control());
   }();
-  if (!outputs.html.empty() && design.feasible()) kreisel::write_text(outputs.html, page_of(design, three));
+  if (!outputs.html.empty() && design.feasible())
+    kreisel::core::write_text(outputs.html, page_of(design, three));
   if (outputs.write_report(to_json(design))) print_design(design);
   return exit_code(design.run.outcome.termination);
 }
 
 int dispatch(int argc, char** argv) {
   CLI::App app("Kreisel: a mesh in, a printable part out that spins, stands, floats or nests", "design");
-  app.set_version_flag(
-      "--version", fmt::format("kreisel {} ({})", kreisel::build_info::version, kreisel::build_info::commit));
+  app.set_version_flag("--version", fmt::format("kreisel {} ({})", kreisel::core::build_info::version,
+                                                kreisel::core::build_info::commit));
   app.require_subcommand(0, 1);
   Parsed parsed;
   for (const Purpose& purpose : purposes)

@@ -11,7 +11,7 @@
 #include "design/page.hpp"
 #include "file/write_text.hpp"
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 namespace {
 
 void print(const Nested& nested) {
@@ -93,4 +93,4 @@ int nest_parts(NestArguments& arguments) {
   return nested.feasible() ? done : infeasible;
 }
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

@@ -9,7 +9,7 @@
 #include "apps/design/outputs.hpp"
 #include "design/nested.hpp"
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 
 struct NestArguments {
   std::vector<std::string> models;
@@ -24,4 +24,4 @@ void add_nest_options(CLI::App& app, NestArguments& arguments);
 /// @return  the exit code
 int nest_parts(NestArguments& arguments);
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

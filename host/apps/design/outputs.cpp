@@ -9,7 +9,7 @@
 #include "file/write_text.hpp"
 #include "mesh/io/format.hpp"
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 
 void DesignOutputs::add(CLI::App& app, const std::string& what) {
   app.add_option("-o,--output", part, what + ": .stl, .3mf (with units), .obj, .ply or .off, mm")->required();
@@ -41,4 +41,4 @@ void require_new(const std::filesystem::path& file, const char* option, bool for
     throw InputError(fmt::format("{} {} exists; expected a new name, or --force", option, file.string()));
 }
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

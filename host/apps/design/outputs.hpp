@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 
 struct DesignOutputs {
   std::string part, json, html;  ///< json "-" is standard output
@@ -22,4 +22,4 @@ struct DesignOutputs {
 /// @throws InputError  it exists, and is not to be written over
 void require_new(const std::filesystem::path& file, const char* option, bool force);
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

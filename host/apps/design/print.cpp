@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 namespace {
 
 /// Without minus signs in front of zeros.
@@ -121,4 +121,4 @@ void print_design(const Design& d) {
   fmt::print("{}\n", r.verified.verdict.text);
 }
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

@@ -3,8 +3,8 @@
 
 #include "design/design.hpp"
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 
 void print_design(const Design& design);
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

@@ -15,7 +15,7 @@
 
 namespace {
 
-using namespace kreisel;
+using namespace kreisel::core;
 
 int dispatch(int argc, char** argv) {
   CLI::App app("The largest nesting by a search of pagmo2", "nest_baseline");
@@ -48,4 +48,4 @@ int dispatch(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) { kreisel::apps::run_program("nest_baseline", dispatch, argc, argv); }
+int main(int argc, char** argv) { kreisel::core::apps::run_program("nest_baseline", dispatch, argc, argv); }

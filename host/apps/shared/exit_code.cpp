@@ -1,6 +1,6 @@
 #include "apps/shared/exit_code.hpp"
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 
 int exit_code(Termination termination) {
   switch (termination) {
@@ -17,4 +17,4 @@ int exit_code(Termination termination) {
   return not_converged;
 }
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

@@ -3,7 +3,7 @@
 
 #include "solve/solver.hpp"
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 
 /// 0 done, 2 bad input or use, 3 infeasible problem, 4 solver did not converge or memory ran out, 130
 /// interrupted.
@@ -12,4 +12,4 @@ enum ExitCode : int { done = 0, bad_input = 2, infeasible = 3, not_converged = 4
 /// That of a run whose solve ended like this.
 [[nodiscard]] int exit_code(Termination termination);
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

@@ -7,7 +7,7 @@
 
 #include "run/nest_config.hpp"
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 
 void add_nest_fields(CLI::App& app, std::vector<std::pair<std::string, std::string>>& given,
                      std::initializer_list<std::string_view> some) {
@@ -26,4 +26,4 @@ void add_nest_fields(CLI::App& app, std::vector<std::pair<std::string, std::stri
   }
 }
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

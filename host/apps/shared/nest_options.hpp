@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 
 /// @param given  where to put what is given: name of the field, and its text
 /// @param some   names of fields; none: all there are
 void add_nest_fields(CLI::App& app, std::vector<std::pair<std::string, std::string>>& given,
                      std::initializer_list<std::string_view> some = {});
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

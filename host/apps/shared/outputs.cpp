@@ -11,7 +11,7 @@
 
 #include "error.hpp"
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 
 void require_writable(const std::string& file, const char* option) {
   if (file.empty() || file == "-") return;
@@ -41,4 +41,4 @@ void flush_output() {
   throw InputError(output_error());
 }
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 
 /// Before minutes of work, not after: can the file be written? Empty and "-" (standard output) are fine.
 /// @param option  as the user gave it, for the message
@@ -16,4 +16,4 @@ void require_writable(const std::string& file, const char* option);
 /// Sends out what standard output holds back. @throws InputError  it takes no more, as a full disk does
 void flush_output();
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

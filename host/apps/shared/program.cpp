@@ -18,7 +18,7 @@
 #include "memory.hpp"
 #include "nearest.hpp"
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 namespace {
 
 const char* program_name = "";  // a handler of terminate has no argument to get it by
@@ -124,4 +124,4 @@ void run_program(const char* name, int (*dispatch)(int, char**), int argc, char*
   std::_Exit(code);
 }
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <string>
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 
 /// One line for what CLI11 refuses: of an unknown option or command its name and the nearest that there is.
 [[nodiscard]] std::string explained(const CLI::App& app, const CLI::ParseError& error);
@@ -18,4 +18,4 @@ namespace kreisel::apps {
 [[noreturn]] void run_program(const char* name, int (*dispatch)(int argc, char** argv), int argc,
                               char** argv);
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

@@ -6,7 +6,7 @@
 
 #include "error.hpp"
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 namespace {
 
 struct FieldOption {
@@ -85,4 +85,4 @@ void RunOptions::apply(RunConfig& config) const {
   }
 }
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

@@ -10,7 +10,7 @@
 
 #include "session/config.hpp"
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 
 /// Collects what options say of a run; what set_field() refuses is refused when all is parsed.
 class RunOptions {
@@ -34,4 +34,4 @@ class RunOptions {
   std::vector<std::string> settings_;
 };
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

@@ -10,7 +10,7 @@
 #include "apps/shared/program.hpp"
 #include "control.hpp"
 
-namespace kreisel::apps {
+namespace kreisel::core::apps {
 
 /// The step under way, on a terminal; the line is taken back in the end, also ahead of an error.
 class StepLine {
@@ -33,4 +33,4 @@ class StepLine {
   bool terminal_ = isatty(STDERR_FILENO) != 0;
 };
 
-}  // namespace kreisel::apps
+}  // namespace kreisel::core::apps

@@ -6,7 +6,7 @@
 #include "body/models/geodesic.hpp"
 #include "body/models/shapes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 // The bird is drawn in units of about 2/3 mm, roughly one cell of the 80 x 60 x 60 grid of [RayRep, table 2],
@@ -91,4 +91,4 @@ double bird_field(const Vec3& point) {
 
 TriangleMesh bird_shape(int fineness) { return wrap_geodesic(fineness, march); }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

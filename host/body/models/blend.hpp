@@ -9,7 +9,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel::blend {
+namespace kreisel::core::blend {
 
 /// Distance to a ball.
 inline double ball(const Vec3& p, const Vec3& centre, double radius) { return (p - centre).norm() - radius; }
@@ -93,4 +93,4 @@ class Tube {
 /// The same point on the side x >= 0: what is drawn there appears on both sides.
 inline Vec3 mirrored(const Vec3& p) { return {std::abs(p.x()), p.y(), p.z()}; }
 
-}  // namespace kreisel::blend
+}  // namespace kreisel::core::blend

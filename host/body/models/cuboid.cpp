@@ -6,7 +6,7 @@
 #include "body/models/shapes.hpp"
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 const std::array<int, 3> tens_of_mm = {6, 4, 3};
@@ -58,4 +58,4 @@ TriangleMesh cuboid_shape(int fineness) {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "error.hpp"
 #include "mesh/io/read_off.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Reader = std::unique_ptr<archive, decltype(&archive_read_free)>;
@@ -107,4 +107,4 @@ TriangleMesh read_debian_mesh(const DebianMesh& mesh, const std::filesystem::pat
   return read_off({fmt::format("{}:{}", archive.string(), entry), extract(archive, entry)});
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A mesh of the package's archive, and which way up it stands.
 struct DebianMesh {
@@ -33,4 +33,4 @@ struct DebianMesh {
 [[nodiscard]] TriangleMesh read_debian_mesh(const DebianMesh& mesh,
                                             const std::filesystem::path& archive = debian_archive());
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 TriangleMesh mesh_of(const Drawing& drawing, int fineness) {
   constexpr int finest = 300;  // 3 million triangles; the lattice takes close to a gigabyte
@@ -19,4 +19,4 @@ TriangleMesh mesh_of(const Drawing& drawing, int fineness) {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "body/models/implicit_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 struct Drawing {
   Field field;     ///< in units of the drawing
@@ -20,4 +20,4 @@ inline constexpr int coarsest_drawing = 30;
 /// @throws InputError  fineness out of range
 [[nodiscard]] TriangleMesh mesh_of(const Drawing& drawing, int fineness);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

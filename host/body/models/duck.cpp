@@ -4,7 +4,7 @@
 #include "body/models/drawing.hpp"
 #include "body/models/shapes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 // Drawn in cells of the grid of [RayRep, table 1], 89 x 105 x 101: z up, beak towards -y; symmetric in x.
@@ -33,4 +33,4 @@ TriangleMesh duck_shape(int fineness) {
   return mesh_of(drawing, fineness);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "body/models/geodesic.hpp"
 #include "body/models/shapes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 // Half the box, mm: 80 x 52 x 51 cells of 0.75 mm, the proportions of [RayRep, table 2].
@@ -33,4 +33,4 @@ TriangleMesh ellipsoid_shape(int fineness) {
   return wrap_geodesic(fineness, [&](const Vec3& u) -> Vec3 { return half_box + map * u; });
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

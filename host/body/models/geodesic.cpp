@@ -9,7 +9,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr int max_frequency = 14000;  // 20 n^2 stays below 2^32
@@ -122,4 +122,4 @@ TriangleMesh wrap_geodesic(int frequency, const std::function<Vec3(const Vec3&)>
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Unit sphere: each face of an icosahedron cut into n^2 triangles and pushed out to the sphere (class I
 /// geodesic). 10 n^2 + 2 shared vertices, 20 n^2 triangles, closed, outward.
@@ -18,4 +18,4 @@ namespace kreisel {
 /// handedness.
 [[nodiscard]] TriangleMesh wrap_geodesic(int frequency, const std::function<Vec3(const Vec3&)>& surface);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

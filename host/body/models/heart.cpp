@@ -2,7 +2,7 @@
 #include "body/models/drawing.hpp"
 #include "body/models/shapes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using namespace blend;
@@ -46,4 +46,4 @@ TriangleMesh arrow_heart_shape(int fineness) {
   return mesh_of(drawing, fineness);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

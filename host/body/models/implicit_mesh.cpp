@@ -7,7 +7,7 @@
 
 #include "mesh/make/march.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// The surface between the lattice points where the field is negative and the others, by the secant.
@@ -79,4 +79,4 @@ TriangleMesh mesh_of(const Field& field, const Box& box, double cell) {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Negative inside a solid, positive outside; continuous, and near its zero set about a distance.
 using Field = std::function<double(const Vec3&)>;
@@ -20,4 +20,4 @@ using Field = std::function<double(const Vec3&)>;
 /// @throws std::logic_error  the field is negative beyond the box
 [[nodiscard]] TriangleMesh mesh_of(const Field& field, const Box& box, double cell);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -4,7 +4,7 @@
 #include "body/models/drawing.hpp"
 #include "body/models/shapes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using blend::Bead;
@@ -56,4 +56,4 @@ TriangleMesh kitten_shape(int fineness) {
   return mesh_of(drawing, fineness);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Walks round two rings at once and always steps on the one whose next vertex comes first. Angles are
@@ -40,4 +40,4 @@ TriangleMesh revolve(const std::vector<Ring>& rings) {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

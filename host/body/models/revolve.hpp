@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A circle of vertices about the z-axis; the first lies at y = 0, x = radius.
 struct Ring {
@@ -17,4 +17,4 @@ struct Ring {
 /// @param rings  at least three, from the pole below to the pole above, for triangles that face outward
 [[nodiscard]] TriangleMesh revolve(const std::vector<Ring>& rings);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Ellipsoid in a box of 60 x 39 x 38.25 mm with its corner at the origin, its long axis tilted by 6 degrees
 /// about y: the lowest point lies 3 mm from the vertical through the centroid, so the solid cannot spin on
@@ -76,4 +76,4 @@ namespace kreisel {
 /// Positive inside the bird, negative outside, without unit; zero on the surface. Point in mm.
 [[nodiscard]] double bird_field(const Vec3& point);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

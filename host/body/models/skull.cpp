@@ -2,7 +2,7 @@
 #include "body/models/drawing.hpp"
 #include "body/models/shapes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 // Drawn in units of about a millimetre: z up, the face towards -y; symmetric in x. Sockets and nose are
@@ -29,4 +29,4 @@ TriangleMesh skull_shape(int fineness) {
   return mesh_of(drawing, fineness);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

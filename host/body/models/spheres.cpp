@@ -8,7 +8,7 @@
 #include "body/models/shapes.hpp"
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 // The grid of [RayRep, table 1] is 51 x 101 x 101 cells: three equal balls as wide as the box is deep, along
@@ -52,4 +52,4 @@ TriangleMesh spheres_shape(int fineness) {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "body/models/shapes.hpp"
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 // A Turk's head: one strand goes round three times while it weaves five times in and out and ten times over
@@ -76,4 +76,4 @@ TriangleMesh woven_ring_shape(int fineness) {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary PLY is written little-endian");
@@ -93,4 +93,4 @@ std::string encode_ply(const std::vector<TriangleMesh>& parts, const std::string
   return bytes;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

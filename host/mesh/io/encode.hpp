@@ -6,7 +6,7 @@
 
 #include "mesh/io/mesh_object.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// All parts as one file; `name` is what errors call it.
 /// @throws InputError  a coordinate that is not finite, or what the format cannot hold
@@ -30,4 +30,4 @@ namespace kreisel {
 void require_coordinates_within(double limit, std::string_view expected, const TriangleMesh& mesh,
                                 const std::string& name);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -1,7 +1,7 @@
 #include "mesh/io/encode.hpp"
 #include "mesh/io/lib3mf_handle.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// The library writes coordinates with fixed digits and refuses larger ones when it reads.
@@ -49,4 +49,4 @@ std::string encode_3mf_objects(const std::vector<MeshObject>& objects, const std
   return bytes;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

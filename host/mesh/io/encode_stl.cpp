@@ -8,7 +8,7 @@
 #include "geometry/single_precision.hpp"
 #include "mesh/io/encode.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL is little-endian");
@@ -40,4 +40,4 @@ std::string encode_stl(const std::vector<TriangleMesh>& parts, const std::string
   return bytes;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

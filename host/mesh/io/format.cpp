@@ -7,7 +7,7 @@
 #include "mesh/io/read_ply.hpp"
 #include "mesh/io/read_stl.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 const std::vector<MeshFormat>& mesh_formats() {
   static const std::vector<MeshFormat> formats = {
@@ -35,4 +35,4 @@ const MeshFormat& mesh_format(const std::filesystem::path& path) {
       fmt::format("{}: extension '{}', expected {}", path.string(), path.extension().string(), known));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

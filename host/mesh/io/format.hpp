@@ -9,7 +9,7 @@
 #include "mesh/io/mesh_object.hpp"
 #include "mesh/io/mesh_text.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Everything that is known of a format: a new one is one more entry in format.cpp.
 struct MeshFormat {
@@ -29,4 +29,4 @@ struct MeshFormat {
 /// The format of the extension, in any case. @throws InputError  unknown; names those there are
 [[nodiscard]] const MeshFormat& mesh_format(const std::filesystem::path& path);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

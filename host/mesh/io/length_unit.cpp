@@ -4,7 +4,7 @@
 
 #include "unknown_name.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 const std::vector<LengthUnit>& length_units() {
   static const std::vector<LengthUnit> all = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
@@ -17,4 +17,4 @@ const LengthUnit& find_length_unit(std::string_view name) {
   return *unit;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace kreisel {
+namespace kreisel::core {
 
 struct LengthUnit {
   std::string_view name;  ///< as users write it
@@ -19,4 +19,4 @@ struct LengthUnit {
 /// @throws InputError  none of that name; says the nearest and names them all
 [[nodiscard]] const LengthUnit& find_length_unit(std::string_view name);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

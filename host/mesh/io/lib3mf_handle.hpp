@@ -9,7 +9,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 class Lib3mfHandle {
  public:
@@ -41,4 +41,4 @@ inline void require_3mf(LIB3MFRESULT result, NMR::PLib3MFBase* object, const std
   throw InputError(fmt::format("{}: 3MF: {}, expected {}", name, what, expected));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Its outer surface and its cavities, say.
 struct MeshObject {
@@ -14,4 +14,4 @@ struct MeshObject {
   std::vector<TriangleMesh> parts;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

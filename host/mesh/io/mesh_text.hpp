@@ -11,7 +11,7 @@
 #include "geometry/triangle_mesh.hpp"
 #include "parse.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A whole file and the name it goes by in messages.
 struct MeshFile {
@@ -89,4 +89,4 @@ void add_fan(TriangleMesh& mesh, const Corners& corners) {
     mesh.triangles.push_back({corners[0], corners[k - 1], corners[k]});
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

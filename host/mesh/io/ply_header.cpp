@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-namespace kreisel::ply {
+namespace kreisel::core::ply {
 namespace {
 
 /// Lines of the header, counted for the errors.
@@ -114,4 +114,4 @@ Header read_header(const MeshFile& file) {
   return header;
 }
 
-}  // namespace kreisel::ply
+}  // namespace kreisel::core::ply

@@ -7,7 +7,7 @@
 
 #include "mesh/io/mesh_text.hpp"
 
-namespace kreisel::ply {
+namespace kreisel::core::ply {
 
 enum class Encoding { ascii, little_endian, big_endian };
 enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
@@ -33,4 +33,4 @@ struct Header {
 /// @throws InputError  no PLY file, or a header that does not say what follows; with the line
 [[nodiscard]] Header read_header(const MeshFile& file);
 
-}  // namespace kreisel::ply
+}  // namespace kreisel::core::ply

@@ -4,7 +4,7 @@
 #include <OpenMesh/Core/IO/importer/BaseImporter.hh>
 #include <vector>
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Stands where OpenMesh expects a half-edge mesh. That mesh refuses faces it cannot connect and so drops or
 /// duplicates parts of broken input; here every polygon stays as it was read. Attributes are ignored, and so
@@ -72,4 +72,4 @@ class PolygonCollector final : public OpenMesh::IO::BaseImporter {
   std::vector<Polygon> polygons_;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "mesh/io/format.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 std::string contents(const std::filesystem::path& path) {
@@ -39,4 +39,4 @@ std::vector<TriangleMesh> read_objects(const std::filesystem::path& path) {
   return format.read_objects({path.string(), contents(path)});
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The triangles of an STL (binary or text), 3MF, OBJ, PLY or OFF file. 3MF knows its unit and comes in
 /// millimetres, the others in the file's own length unit. The format follows from the extension in any case.
@@ -19,4 +19,4 @@ namespace kreisel {
 /// The same, a mesh for each object of a format that has objects (3MF); one of others.
 [[nodiscard]] std::vector<TriangleMesh> read_objects(const std::filesystem::path& path);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "mesh/io/encode.hpp"
 #include "mesh/io/lib3mf_handle.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Transform = Eigen::Transform<double, 3, Eigen::AffineCompact>;
@@ -191,4 +191,4 @@ std::vector<TriangleMesh> read_3mf_objects(const MeshFile& file) {
   return Reader(file).meshes();
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

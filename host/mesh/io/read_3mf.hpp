@@ -3,7 +3,7 @@
 
 #include "mesh/io/mesh_text.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// All that a 3MF package builds, as one mesh in millimetres: the meshes of every build item, through its
 /// components, with their transforms and the unit of the file applied. Objects of the types support and
@@ -15,4 +15,4 @@ namespace kreisel {
 /// The same, a mesh for each build item, in their order.
 [[nodiscard]] std::vector<TriangleMesh> read_3mf_objects(const MeshFile& file);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

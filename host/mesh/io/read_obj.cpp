@@ -9,7 +9,7 @@
 
 #include "mesh/io/polygon_collector.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// OpenMesh writes to stderr through a stream of its own; closed while this lives.
@@ -104,4 +104,4 @@ TriangleMesh read_obj(const MeshFile& file) {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,11 +3,11 @@
 
 #include "mesh/io/mesh_text.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Vertices and faces of an OBJ file; everything else in it (normals, groups, materials, lines) is passed
 /// over.
 /// @throws InputError  one line with file, place, what and what was expected
 [[nodiscard]] TriangleMesh read_obj(const MeshFile& file);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

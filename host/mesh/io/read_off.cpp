@@ -2,7 +2,7 @@
 // off, misreads a comment ahead of the header and never returns from an empty file.
 #include "mesh/io/read_off.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 struct Counts {
@@ -76,4 +76,4 @@ TriangleMesh read_off(const MeshFile& file) {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

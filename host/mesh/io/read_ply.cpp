@@ -7,7 +7,7 @@
 
 #include "mesh/io/ply_header.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using ply::Element;
@@ -227,4 +227,4 @@ TriangleMesh read_ply(const MeshFile& file) {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 
 #include "mesh/io/mesh_text.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A PLY file, ascii or binary of either byte order. Read are x, y, z of the element `vertex` and the list
 /// `vertex_indices` (or `vertex_index`) of the element `face`, in any of PLY's number types; other elements
@@ -11,4 +11,4 @@ namespace kreisel {
 /// @throws InputError  one line with file, place, what and what was expected
 [[nodiscard]] TriangleMesh read_ply(const MeshFile& file);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

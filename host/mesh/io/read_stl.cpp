@@ -8,7 +8,7 @@
 #include <cstring>
 #include <unordered_map>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr std::size_t header_bytes = 80, count_bytes = 4, facet_bytes = 50;
@@ -115,4 +115,4 @@ TriangleMesh read_stl(const MeshFile& file) {
   return is_text(file.bytes) ? read_text(file) : read_binary(file);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,11 +3,11 @@
 
 #include "mesh/io/mesh_text.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A binary or text STL file. Corners whose three coordinates are equal become one vertex, nothing else does.
 /// Normals are not read: the order of the corners decides.
 /// @throws InputError  one line with file, place, what and what was expected
 [[nodiscard]] TriangleMesh read_stl(const MeshFile& file);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -3,7 +3,7 @@
 #include "file/write_text.hpp"
 #include "mesh/io/format.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 void write_mesh(const std::filesystem::path& path, const std::vector<TriangleMesh>& parts) {
   write_text(path, mesh_format(path).encode(parts, path.string()));
@@ -13,4 +13,4 @@ void write_objects(const std::filesystem::path& path, const std::vector<MeshObje
   write_text(path, mesh_format(path).encode_objects(objects, path.string()));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "mesh/io/mesh_object.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// All parts (the outer surface and its cavities, say) into one file, whose format follows from the
 /// extension: .stl (binary), .3mf (one object, unit millimetre), .obj, .ply (binary), .off. Lengths are taken
@@ -19,4 +19,4 @@ void write_mesh(const std::filesystem::path& path, const std::vector<TriangleMes
 /// Several objects into one file of a format that has objects (3MF). @throws InputError  as above
 void write_objects(const std::filesystem::path& path, const std::vector<MeshObject>& objects);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "geometry/triangle_pair.hpp"
 #include "parallel.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Face = std::array<Vec3, 3>;
@@ -166,4 +166,4 @@ void add_creased(TriangleMesh& mesh, const std::vector<CreasedLoop>& loops,
     }
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

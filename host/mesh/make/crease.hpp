@@ -9,7 +9,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The piece of surface in a tetrahedron: three or four vertices on its edges, each two neighbours in a face.
 using CreasedLoop = std::vector<std::uint32_t>;
@@ -32,4 +32,4 @@ void add_creased(TriangleMesh& mesh, const std::vector<CreasedLoop>& loops,
                  const std::function<std::optional<Vec3>(const std::array<Vec3, 3>& face, const Vec3&,
                                                          const Vec3&)>& meet);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

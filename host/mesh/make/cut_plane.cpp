@@ -8,7 +8,7 @@
 
 #include "error.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// A height at or just above the one asked for that no vertex comes near to.
@@ -147,4 +147,4 @@ TriangleMesh above_plane(const TriangleMesh& solid, double height, std::span<con
   return out;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

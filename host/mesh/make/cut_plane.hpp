@@ -8,7 +8,7 @@
 #include "geometry/fill_polygon.hpp"
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A blind hole from the cut upwards: a prism over a polygon.
 struct BlindHole {
@@ -40,4 +40,4 @@ struct WrittenAs {
 [[nodiscard]] TriangleMesh above_plane(const TriangleMesh& solid, double height,
                                        std::span<const BlindHole> holes, const WrittenAs& written = {});
 
-}  // namespace kreisel
+}  // namespace kreisel::core

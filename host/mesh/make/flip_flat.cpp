@@ -6,7 +6,7 @@
 
 #include "geometry/predicates.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Triangles by their sides; a side that two triangles run the same way belongs to none.
@@ -89,4 +89,4 @@ std::size_t flip_flat_triangles(TriangleMesh& mesh) {
   return flipped;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

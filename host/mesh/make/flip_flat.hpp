@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Where a triangle's middle corner lies exactly on its opposite side, turns that side so that the corner
 /// splits the neighbour across it: two triangles with area instead of one with and one without, over the same
@@ -14,4 +14,4 @@ namespace kreisel {
 /// @return  triangles without area that are gone
 std::size_t flip_flat_triangles(TriangleMesh& mesh);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "mesh/make/crease.hpp"
 #include "parallel.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Index = CubicLattice::Index;
@@ -178,4 +178,4 @@ TriangleMesh march(const CubicLattice& lattice, const std::vector<std::uint8_t>&
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -9,7 +9,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Corners and centres of the cubes of a uniform grid. Corners have even indices, centres odd ones; one unit
 /// is half a cube's edge.
@@ -85,4 +85,4 @@ struct TwoPieces {
 [[nodiscard]] TriangleMesh march(const CubicLattice& lattice, const std::vector<std::uint8_t>& inside,
                                  const TwoPieces& surface);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

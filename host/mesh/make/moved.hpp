@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Every vertex through the map.
 [[nodiscard]] inline TriangleMesh moved(TriangleMesh mesh, const Eigen::Affine3d& map) {
@@ -13,4 +13,4 @@ namespace kreisel {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

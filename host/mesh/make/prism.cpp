@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace kreisel {
+namespace kreisel::core {
 
 std::vector<Point2> circle(const Point2& centre, double radius, int sides) {
   std::vector<Point2> polygon;
@@ -31,4 +31,4 @@ TriangleMesh prism(const std::vector<Point2>& polygon, double bottom, double top
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

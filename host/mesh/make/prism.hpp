@@ -6,7 +6,7 @@
 #include "geometry/fill_polygon.hpp"
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A regular polygon with its corners on the circle, counter-clockwise.
 [[nodiscard]] std::vector<Point2> circle(const Point2& centre, double radius, int sides);
@@ -14,4 +14,4 @@ namespace kreisel {
 /// The closed prism over a convex polygon, counter-clockwise seen from above, from z = bottom to z = top.
 [[nodiscard]] TriangleMesh prism(const std::vector<Point2>& polygon, double bottom, double top);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

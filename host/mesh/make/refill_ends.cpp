@@ -9,7 +9,7 @@
 
 #include "geometry/fill_polygon.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Of each corner on the outline of some triangles the next one; nothing where outlines meet, or miss a
@@ -49,4 +49,4 @@ void refill_ends(TriangleMesh& mesh) {
   }
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

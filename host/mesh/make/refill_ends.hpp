@@ -3,7 +3,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The triangles in the plane of the lowest corner, and those in the plane of the highest, are replaced by
 /// others between the same edges (fill_polygon.hpp). When coordinates were rounded since such an end was
@@ -13,4 +13,4 @@ namespace kreisel {
 /// @throws InputError  outlines that cross
 void refill_ends(TriangleMesh& mesh);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// The middles of split edges, each made once.
@@ -67,4 +67,4 @@ void split_edges(TriangleMesh& mesh, const std::function<bool(const Vec3&, const
   }
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,11 +5,11 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Splits edges in their middle, and their triangles with them, until `too_long` is true of none. The surface
 /// stays where it is; closed, it stays closed.
 /// @param too_long  of an edge by its ends, in either order; false for edges shorter than some length
 void split_edges(TriangleMesh& mesh, const std::function<bool(const Vec3&, const Vec3&)>& too_long);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

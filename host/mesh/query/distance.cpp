@@ -8,7 +8,7 @@
 #include <limits>
 #include <new>
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 double squared_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -113,4 +113,4 @@ std::optional<std::uint32_t> SurfaceDistance::nearest(const Vec3& point, double 
   return query.nearest;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Distance to the surface of a mesh. Embree's hierarchy finds the candidates in single precision with a
 /// margin; the distance to each triangle is computed in double. Safe to ask from several threads.
@@ -35,4 +35,4 @@ class SurfaceDistance {
 /// Distance from a point to a triangle (closed).
 [[nodiscard]] double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

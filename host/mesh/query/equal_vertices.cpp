@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace kreisel {
+namespace kreisel::core {
 
 std::vector<std::uint32_t> first_equal_vertex(const std::vector<Vec3>& vertices) {
   std::vector<std::uint32_t> order(vertices.size()), first(vertices.size());
@@ -19,4 +19,4 @@ std::vector<std::uint32_t> first_equal_vertex(const std::vector<Vec3>& vertices)
   return first;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

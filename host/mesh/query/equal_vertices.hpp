@@ -5,9 +5,9 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// For every vertex the lowest index of those whose three coordinates equal its own; 0 and -0 are equal.
 [[nodiscard]] std::vector<std::uint32_t> first_equal_vertex(const std::vector<Vec3>& vertices);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "mesh/query/reach.hpp"
 #include "parallel.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr int band_rows = 16;
@@ -147,4 +147,4 @@ void remove_shell(const TriangleMesh& mesh, double wall, const LineRaster& raste
   });
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

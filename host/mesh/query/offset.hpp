@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A part of a vertical line; z0 < z1, the mesh's unit.
 struct Span {
@@ -40,4 +40,4 @@ struct LineRaster {
 void remove_shell(const TriangleMesh& mesh, double wall, const LineRaster& raster,
                   std::vector<std::vector<Span>>& lines);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

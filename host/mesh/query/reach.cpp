@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-namespace kreisel::reach {
+namespace kreisel::core::reach {
 
 void Footprint::head(double hx, double hy) {
   const double length = std::hypot(hx, hy);
@@ -119,4 +119,4 @@ Prism::Prism(const Vec3& p, const Vec3& q, const Vec3& r, double radius) : sides
   range(shadow_.across, -shadow_.uy, shadow_.ux);
 }
 
-}  // namespace kreisel::reach
+}  // namespace kreisel::core::reach

@@ -10,7 +10,7 @@
 
 /// Every shape says where it lies, never too little (rows: a range of y; columns: a range of x in a row), and
 /// which part of a vertical line it holds (none: not z0 < z1).
-namespace kreisel::reach {
+namespace kreisel::core::reach {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -125,4 +125,4 @@ class Prism {
   Footprint shadow_;
 };
 
-}  // namespace kreisel::reach
+}  // namespace kreisel::core::reach

@@ -1,6 +1,6 @@
 #include "mesh/query/sides.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
   // A counting sort by the lower end leaves only the few sides of each vertex to be compared.
@@ -35,4 +35,4 @@ DisjointSets corner_fans(const TriangleMesh& mesh, const std::vector<Side>& side
   return fans;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// The side of a triangle from its corner `corner` to the next.
 struct Side {
@@ -58,4 +58,4 @@ class DisjointSets {
 /// a fan around one vertex. A vertex with more than one fan is where parts of the surface merely touch.
 [[nodiscard]] DisjointSets corner_fans(const TriangleMesh& mesh, const std::vector<Side>& sides);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

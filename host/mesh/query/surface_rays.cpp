@@ -6,7 +6,7 @@
 #include <limits>
 #include <new>
 
-namespace kreisel {
+namespace kreisel::core {
 
 struct SurfaceRays::Scene {
   RTCDevice device = rtcNewDevice("threads=1");
@@ -54,4 +54,4 @@ std::optional<SurfaceRays::Hit> SurfaceRays::first(const Vec3& from, const Vec3&
   return Hit{double(ray.ray.tfar), along > 0};
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

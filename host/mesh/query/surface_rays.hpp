@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Embree's watertight rays, in single precision: distances are right to about 1e-6 of the coordinates. Safe
 /// to ask from several threads.
@@ -31,4 +31,4 @@ class SurfaceRays {
   std::unique_ptr<Scene> scene_;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

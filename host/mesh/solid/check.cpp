@@ -13,7 +13,7 @@
 #include "mesh/query/equal_vertices.hpp"
 #include "mesh/query/sides.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 void note(EdgeFault& fault, const Side& side) {
@@ -128,4 +128,4 @@ void require_solid(const TriangleMesh& mesh, std::string_view name) {
                     name, r.volume));
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A kind of fault along edges: how many, and the ends of the first (lowest vertex indices).
 struct EdgeFault {
@@ -45,4 +45,4 @@ struct MeshReport {
 ///                     zero volume, inside out; one line with number, place and what mends it
 void require_solid(const TriangleMesh& mesh, std::string_view name);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "geometry/predicates.hpp"
 #include "mesh/query/sides.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Number of each triangle's shell, from 0 in order of first triangles.
@@ -130,4 +130,4 @@ std::vector<std::vector<std::uint32_t>> enclosing_shells(const TriangleMesh& mes
   return enclosing;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

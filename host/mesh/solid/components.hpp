@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Triangles connected across edges of exactly two triangles.
 struct Shell {
@@ -28,4 +28,4 @@ struct Shell {
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> enclosing_shells(const TriangleMesh& mesh,
                                                                        const std::vector<Shell>& shells);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include "mesh/query/sides.hpp"
 #include "mesh/solid/components.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr std::uint32_t none = ~0u;
@@ -81,4 +81,4 @@ std::size_t face_outward(TriangleMesh& mesh) {
   return turned;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// In each shell turns the fewest triangles such that all run the same way round; a shell for which there is
 /// no such way (a Klein bottle) stays as it is.
@@ -17,4 +17,4 @@ std::size_t orient_shells(TriangleMesh& mesh);
 /// @return  shells turned
 std::size_t face_outward(TriangleMesh& mesh);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

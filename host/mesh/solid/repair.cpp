@@ -13,7 +13,7 @@
 #include "mesh/solid/orient.hpp"
 #include "mesh/solid/separate_edges.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 std::string counted(std::size_t n, const char* one, const char* many) {
@@ -138,4 +138,4 @@ TriangleMesh repaired(TriangleMesh mesh, RepairReport& report) {
   return mesh;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// What was done, one line each ("merged 12 equal vertices"); empty when nothing was.
 struct RepairReport {
@@ -27,4 +27,4 @@ struct RepairReport {
 /// No coordinate changes and no hole is filled: the result may still be no solid (solid.hpp).
 [[nodiscard]] TriangleMesh repaired(TriangleMesh mesh, RepairReport& report);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

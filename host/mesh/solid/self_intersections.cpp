@@ -11,7 +11,7 @@
 #include "geometry/triangle_pair.hpp"
 #include "mesh/query/equal_vertices.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -96,4 +96,4 @@ std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh&
   return search.pairs;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

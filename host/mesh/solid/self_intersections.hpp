@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Pairs of triangles (lower index first, sorted) that meet outside the corners and edges they share. Corners
 /// with equal coordinates count as shared, so surfaces may touch along common edges. Triangles whose corners
@@ -14,4 +14,4 @@ namespace kreisel {
 /// O(n log n) for ordinary surfaces.
 [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh& mesh);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "geometry/predicates.hpp"
 #include "mesh/query/sides.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Orders points by their angle about the line from a to b, counter-clockwise seen from b, from `start` on.
@@ -138,4 +138,4 @@ std::size_t separate_edges(TriangleMesh& mesh) {
   return std::size_t(separated);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

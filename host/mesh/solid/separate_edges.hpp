@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// Around an edge of four or more triangles that alternate between opening and closing a wedge of material,
 /// each wedge gets vertices of its own, so that every edge has two triangles. Where wedges hang together
@@ -15,4 +15,4 @@ namespace kreisel {
 /// @return  edges separated
 std::size_t separate_edges(TriangleMesh& mesh);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

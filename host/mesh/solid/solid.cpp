@@ -5,7 +5,7 @@
 #include "error.hpp"
 #include "mesh/solid/check.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 std::string middle_text(const TriangleMesh& mesh, std::uint32_t triangle) {
@@ -77,4 +77,4 @@ SolidMesh make_solid(TriangleMesh mesh, std::string_view name) {
   return make_solid(surface, name);
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 
 #include "mesh/solid/surface.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A mesh that bounds a solid, and how it came to.
 struct SolidMesh {
@@ -23,4 +23,4 @@ struct SolidMesh {
 /// The same of a mesh as it is read, which is mended first (repair.hpp).
 [[nodiscard]] SolidMesh make_solid(TriangleMesh mesh, std::string_view name);
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -2,7 +2,7 @@
 
 #include "mesh/solid/self_intersections.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 const Surface::Pairs& Surface::crossings() {
   if (!crossings_) crossings_ = self_intersections(mesh_);
@@ -10,7 +10,7 @@ const Surface::Pairs& Surface::crossings() {
 }
 
 const std::vector<Shell>& Surface::shells() {
-  if (!shells_) shells_ = kreisel::shells(mesh_);
+  if (!shells_) shells_ = kreisel::core::shells(mesh_);
   return *shells_;
 }
 
@@ -19,4 +19,4 @@ const Surface::Nesting& Surface::enclosing() {
   return *enclosing_;
 }
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "mesh/solid/components.hpp"
 #include "mesh/solid/repair.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 
 /// A repaired mesh, solid or not. Each question is answered when it is first asked, and only then: on a mesh
 /// without any order the later ones cost the square of its triangles.
@@ -34,4 +34,4 @@ class Surface {
   std::optional<Nesting> enclosing_;
 };
 
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "nest/decide/hybrid.hpp"
 #include "nest/decide/peel.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 class Draw {
@@ -110,4 +110,4 @@ Accuracy compare(device::Device& device, const Nesting& nesting, int placements,
   return out;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

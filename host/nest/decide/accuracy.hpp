@@ -6,7 +6,7 @@
 
 #include "nest/decide/scale_search.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// Sampled scales less exact ones over random placements, at one resolution. In units of the scale.
 struct SampledError {
@@ -36,4 +36,4 @@ struct Accuracy {
                                const std::vector<int>& resolutions, std::uint64_t seed,
                                const std::stop_token& stop);
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

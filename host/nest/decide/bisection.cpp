@@ -1,6 +1,6 @@
 #include "nest/decide/bisection.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 FoundScale Bisection::search(const Placement& placement, const SearchLimits& limits) {
   require_valid(limits);
@@ -24,4 +24,4 @@ FoundScale Bisection::search(const Placement& placement, const SearchLimits& lim
   return found;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

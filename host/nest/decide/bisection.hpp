@@ -3,7 +3,7 @@
 
 #include "nest/decide/scale_search.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// Takes feasibility for monotonic: valid below some scale, invalid above, 0 valid. Halves the bracket until
 /// it is narrower than the tolerance and returns the lower, valid end; stops when the upper end is no more
@@ -21,4 +21,4 @@ class Bisection : public ScaleSearch {
   std::unique_ptr<Feasibility> test_;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

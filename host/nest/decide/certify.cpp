@@ -5,7 +5,7 @@
 #include "nest/decide/exact.hpp"
 #include "nest/decide/hybrid.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 CertifiedScale largest_near(Feasibility& test, Placement placement, double tolerance) {
   CertifiedScale certified;
@@ -57,4 +57,4 @@ CertifiedScale certify_scale(const Nesting& nesting, Placement placement, double
   return certified;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

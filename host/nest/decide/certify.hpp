@@ -3,7 +3,7 @@
 
 #include "nest/decide/feasibility.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// What a test says of a scale that another way has found.
 struct CertifiedScale {
@@ -22,4 +22,4 @@ struct CertifiedScale {
 [[nodiscard]] CertifiedScale certify_scale(const Nesting& nesting, Placement placement,
                                            double tolerance = 1e-4);
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

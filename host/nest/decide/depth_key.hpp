@@ -4,11 +4,11 @@
 #include <bit>
 #include <cstdint>
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// The depth that a key stands for.
 inline float depth_of(std::uint32_t key) {
   return std::bit_cast<float>(key & 0x80000000u ? key & 0x7fffffffu : ~key);
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -5,7 +5,7 @@
 
 #include "device/program.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 constexpr std::size_t tile_bytes = 3 * 16 * sizeof(float);
@@ -81,4 +81,4 @@ FaultMap Envelope::map(const Placement& placement) {
   return map;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

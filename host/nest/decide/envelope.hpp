@@ -3,7 +3,7 @@
 
 #include "nest/decide/views.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// Valid unless some pixel has max w_B >= min w_A, no A, or a front-facing nearest A: the same answer as
 /// peeling, to the pixel, from one pass over the triangles. docs/nesting.md has the proof and the accuracy.
@@ -29,4 +29,4 @@ class Envelope : public Feasibility {
   cl::Kernel kernel_;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -11,7 +11,7 @@
 #include "nest/decide/swept_pair.hpp"
 #include "parallel.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -182,4 +182,4 @@ Verdict Exact::check(const Placement& placement) {
   return {};
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -3,7 +3,7 @@
 
 #include "nest/decide/feasibility.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// Valid if and only if no triangle of A meets what a triangle of T(B) sweeps on the way to the cut, on
 /// either side, and T(B) lies inside A: every shell of it, by the winding number of A about a point of it.
@@ -33,4 +33,4 @@ class Exact : public Feasibility {
 /// A vertex of every connected part of a mesh.
 [[nodiscard]] std::vector<std::uint32_t> vertex_of_each_shell(const TriangleMesh& mesh);
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -11,7 +11,7 @@
 #include "nest/decide/scatter.hpp"
 #include "unknown_name.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 struct Entry {
@@ -91,4 +91,4 @@ std::unique_ptr<Feasibility> make_feasibility(std::string_view name, device::Dev
   return find_way(name).make(device, nesting, resolution);
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

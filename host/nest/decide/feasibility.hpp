@@ -10,7 +10,7 @@
 #include "device/device.hpp"
 #include "nest/decide/nesting.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// Why a placement is no nesting. [Nest, s. 5] numbers the rules; docs/nesting.md draws them.
 enum class Fault {
@@ -54,4 +54,4 @@ void require_test(std::string_view name);
 [[nodiscard]] std::unique_ptr<Feasibility> make_feasibility(std::string_view name, device::Device& device,
                                                             const Nesting& nesting, int resolution = 512);
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -7,7 +7,7 @@
 #include "nest/decide/way_out.hpp"
 #include "parallel.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 constexpr std::size_t most_witnesses = 48;
@@ -298,4 +298,4 @@ std::vector<FoundScale> Hybrid::search(std::span<const Placement> placements,
   return found;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

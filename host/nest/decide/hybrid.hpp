@@ -6,7 +6,7 @@
 #include "nest/decide/sphere_tree.hpp"
 #include "nest/decide/swept_pair.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// The same question as Exact, answered by descending two trees of spheres at once: two spheres whose sweep
 /// stays clear of each other settle all their triangles, and the pairs that are left are decided as Exact
@@ -51,4 +51,4 @@ class Hybrid : public Feasibility, public ScaleSearch {
   std::vector<Vec3> witnesses_;  ///< points of B, those that decided last first
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

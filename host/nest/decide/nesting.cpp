@@ -8,7 +8,7 @@
 
 #include "error.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 /// What a mesh bounds. Sums over the triangles, so holes change them only by what they leave out.
@@ -147,4 +147,4 @@ Eigen::Matrix<double, 3, 4> Nesting::transform(const Pose& pose) const {
   return t;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 // Everything in this folder is in nesting units: the outer shape A lies about the origin in the ball of
 // radius 1 (half the diagonal of its box), the inner shape B about its own centroid, in the same unit: at
@@ -80,4 +80,4 @@ class Nesting {
   Box box_;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -10,7 +10,7 @@
 #include "error.hpp"
 #include "nest/decide/depth_key.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 constexpr cl_uint behind_all = 0xffffffffu;
@@ -113,4 +113,4 @@ FaultMap Peel::map(const Placement& placement) {
   return map;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

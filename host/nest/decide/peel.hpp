@@ -3,7 +3,7 @@
 
 #include "nest/decide/views.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// Peels one layer of fragments after the other off both views and stops at the first that holds a bad pixel,
 /// or when nothing is left. [Nest, s. 5]
@@ -33,4 +33,4 @@ class Peel : public Feasibility {
   cl::Kernel draw_depth_, draw_colour_, rules_;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -9,7 +9,7 @@
 #include "nest/decide/bisection.hpp"
 #include "nest/decide/hybrid.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 void require_valid(const SearchLimits& limits) {
   const auto positive = [](double x) { return std::isfinite(x) && x > 0; };
@@ -36,4 +36,4 @@ std::unique_ptr<ScaleSearch> make_search(std::string_view name, device::Device& 
   return std::make_unique<Bisection>(make_feasibility(name, device, nesting, resolution));
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -8,7 +8,7 @@
 
 #include "nest/decide/feasibility.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// What a search is told from outside.
 struct SearchLimits {
@@ -48,4 +48,4 @@ class ScaleSearch {
 [[nodiscard]] std::unique_ptr<ScaleSearch> make_search(std::string_view name, device::Device& device,
                                                        const Nesting& nesting, int resolution = 512);
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

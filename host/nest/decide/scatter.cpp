@@ -6,7 +6,7 @@
 #include "device/program.hpp"
 #include "nest/decide/depth_key.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 Scatter::Scatter(device::Device& device, const Nesting& nesting, int resolution)
     : views_(device, nesting, resolution) {
@@ -75,4 +75,4 @@ FaultMap Scatter::map(const Placement& placement) {
   return map;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

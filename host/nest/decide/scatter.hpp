@@ -3,7 +3,7 @@
 
 #include "nest/decide/views.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// What Envelope answers, to the pixel and the last bit. There an item goes through all triangles of a band
 /// of rows, as suits a few fast threads; here each takes one triangle, as suits thousands of slow ones.
@@ -30,4 +30,4 @@ class Scatter : public Feasibility {
   cl::Kernel scatter_, rules_;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 // A centre of coordinates up to 4 is rounded by 2^-22 when it is stored and by a few times that when it is
@@ -109,4 +109,4 @@ class Builder {
 
 SphereTree::SphereTree(const TriangleMesh& mesh) : nodes_(Builder(mesh).nodes()) {}
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// Each node holds its triangles in a ball and between two planes. Both keep their size however they are
 /// turned, so the same tree serves every pose. A patch of surface of radius r is about r^2 thick: the planes
@@ -32,4 +32,4 @@ class SphereTree {
   std::vector<Node> nodes_;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

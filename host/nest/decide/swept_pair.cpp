@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 HalfFrame::HalfFrame(const Cut& cut, int half) {
   const Vec3& removal = cut.removal(half);
@@ -54,4 +54,4 @@ std::optional<Vec3> SweptTriangle::common_point(const Vec3& a, const Vec3& b, co
   return polygon[0];
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -5,7 +5,7 @@
 
 #include "nest/decide/nesting.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// Coordinates of one half: two across its removal direction, then depth along it.
 struct HalfFrame {
@@ -44,4 +44,4 @@ class SweptTriangle {
   bool edge_on_;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

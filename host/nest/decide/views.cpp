@@ -10,7 +10,7 @@
 #include "device/program.hpp"
 #include "error.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 constexpr int finest = 16384;
@@ -178,4 +178,4 @@ Verdict Views::fault_at(Fault fault, int half, int pixel, double w) const {
   return {fault, half, views_[std::size_t(half)].point(x, y, w), x, y};
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

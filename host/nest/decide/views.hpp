@@ -9,7 +9,7 @@
 #include "nest/decide/feasibility.hpp"
 #include "nest_raster_params.h"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// The pixels of one half's view: orthographic along the removal direction, square, as tight about A's box.
 struct View {
@@ -53,4 +53,4 @@ class Views {
 /// Why each pixel is bad, of half 0 and then of half 1; x fastest. Empty when B leaves a view.
 using FaultMap = std::vector<std::uint8_t>;
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 constexpr double far = 4;  // longer than any way in nesting units
@@ -61,4 +61,4 @@ double WayOut::largest_scale(const Vec3& b, double scale, double enough, double 
   return scale;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -4,7 +4,7 @@
 #include "mesh/query/surface_rays.hpp"
 #include "nest/decide/nesting.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// A point b of B at all scales: p(s) = c + s R b. It can be taken out when the segment from p(s) back along
 /// the removal direction to the cut lies inside A.
@@ -29,4 +29,4 @@ class WayOut {
   const Placement* placement_;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -11,7 +11,7 @@
 #include "parallel.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 constexpr std::size_t block = 64;  ///< rays whose ratios are formed at once
@@ -223,4 +223,4 @@ Landscape landscape(const PlaneShapes& shapes, const LandscapeSpec& spec,
   return found;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -9,7 +9,7 @@
 #include "nest/plane/polygon.hpp"
 #include "nest/plane/radial.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// A plane shape B in another, A: cut horizontally through B's centroid, the halves of A leave up and down.
 ///
@@ -95,4 +95,4 @@ struct Landscape {
 [[nodiscard]] Landscape landscape(const PlaneShapes& shapes, const LandscapeSpec& spec,
                                   const std::function<bool(int done, int rows)>& go_on = {});
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

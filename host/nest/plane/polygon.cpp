@@ -13,7 +13,7 @@
 #include "error.hpp"
 #include "geometry/fill_polygon.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -331,4 +331,4 @@ std::vector<OpenPart> open_to(std::span<const Vec2> polygon, double height) {
   return parts;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

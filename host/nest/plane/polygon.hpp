@@ -7,7 +7,7 @@
 
 #include "geometry/triangle_mesh.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 using Vec2 = Eigen::Vector2d;
 
@@ -39,4 +39,4 @@ struct OpenPart {
 /// All of them at that height, from left to right. O(vertices^2).
 [[nodiscard]] std::vector<OpenPart> open_to(std::span<const Vec2> polygon, double height);
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

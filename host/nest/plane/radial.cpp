@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 std::vector<Vec2> directions(int count) {
   std::vector<Vec2> all;
@@ -77,4 +77,4 @@ std::span<const float> Radial::crossings(int direction) const {
                     : std::span(sorted_).subspan(begin_[at], count);
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

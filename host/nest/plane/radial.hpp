@@ -7,7 +7,7 @@
 
 #include "nest/plane/polygon.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// Unit vectors in evenly spaced directions, the first along x.
 [[nodiscard]] std::vector<Vec2> directions(int count);
@@ -38,4 +38,4 @@ class Radial {
   std::vector<float> sorted_;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -2,7 +2,7 @@
 
 #include "unknown_name.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 const BaselineEntry& find_baseline(std::string_view name) {
   for (const BaselineEntry& entry : baselines)
@@ -10,4 +10,4 @@ const BaselineEntry& find_baseline(std::string_view name) {
   throw unknown_name("variant", name, names_of(baselines));
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

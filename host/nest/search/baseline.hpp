@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// Particle swarm with constriction and a local topology; covariance matrix adaptation; differential
 /// evolution; a genetic algorithm; simulated annealing: pagmo2's pso_gen, cmaes, de, sga and
@@ -28,4 +28,4 @@ inline constexpr std::array baselines{
 /// @throws InputError  none of their names
 [[nodiscard]] const BaselineEntry& find_baseline(std::string_view name);
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

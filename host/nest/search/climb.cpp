@@ -11,7 +11,7 @@
 #include "error.hpp"
 #include "nest/search/random.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 /// A standard normal number [Box, Muller 1958].
@@ -99,4 +99,4 @@ bool Climb::step(ClimbState& state) const {
   return true;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -9,7 +9,7 @@
 
 #include "nest/search/objective.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 struct ClimbOptions {
   int offspring = 32;                          ///< asked at once, >= 1
@@ -51,4 +51,4 @@ class Climb {
   ClimbOptions options_;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -10,7 +10,7 @@
 #include "error.hpp"
 #include "unknown_name.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 using Direction = Eigen::Map<Vec3>;
@@ -186,4 +186,4 @@ std::vector<double> PlacementSpace::position(const Placement& placement) const {
   return x;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -10,7 +10,7 @@
 #include "nest/decide/nesting.hpp"
 #include "nest/search/space.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// What is free, and what the rest is. Nesting units. [Nest, s. 7.1, fig. 8]
 struct Freedom {
@@ -61,4 +61,4 @@ class PlacementSpace {
   std::vector<Vec3> centres_;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -8,7 +8,7 @@
 
 #include "error.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 KeepOuts::KeepOuts(const Nesting& nesting, const std::vector<KeepOut>& balls) {
   const TriangleMesh& mesh = nesting.outer();
@@ -43,4 +43,4 @@ bool KeepOuts::touched(const Cut& cut) const {
   });
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

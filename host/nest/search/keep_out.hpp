@@ -5,7 +5,7 @@
 
 #include "nest/decide/nesting.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// A ball; what of A's surface lies in it stays whole. Nesting units.
 struct KeepOut {
@@ -27,4 +27,4 @@ class KeepOuts {
   std::vector<std::vector<Vec3>> surfaces_;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -15,7 +15,7 @@
 #include "parallel.hpp"
 #include "stopwatch.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 double longest_side(const TriangleMesh& mesh) { return bounding_box(mesh).extent().maxCoeff(); }
@@ -246,4 +246,4 @@ double clearance_of_half(const TriangleMesh& outer, const TriangleMesh& inner, c
   });
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -9,7 +9,7 @@
 
 #include "nest/search/optimise.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// What a printer needs, mm; it stays what it is however small the shapes become. [Nest, s. 8, fig. 12]
 struct Tolerances {
@@ -79,4 +79,4 @@ using OnLayerIteration = std::function<bool(int layer, const SearchState& state)
 [[nodiscard]] double clearance_of_half(const TriangleMesh& outer, const TriangleMesh& inner, const Cut& cut,
                                        int half, double step);
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -6,7 +6,7 @@
 
 #include "nest/search/space.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// A function of positions, asked for many at once.
 class Objective {
@@ -29,4 +29,4 @@ class Objective {
   virtual void place(std::span<const double> unit, std::span<double> x) const { space().place(unit, x); }
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

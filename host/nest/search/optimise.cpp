@@ -13,7 +13,7 @@
 #include "stopwatch.hpp"
 #include "unknown_name.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 /// A checkpoint may come from a file: whatever is read of it has the length that this search gives it.
@@ -149,4 +149,4 @@ std::vector<Vec3> deep_points(const Nesting& nesting, int count) {
   return deep;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

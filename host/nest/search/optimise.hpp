@@ -12,7 +12,7 @@
 #include "device/device.hpp"
 #include "nest/search/placement_search.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// What to search, and how.
 struct OptimiseSpec {
@@ -68,4 +68,4 @@ void finish(OptimiseResult& result, const Asking& asking);
 /// points in its box.
 [[nodiscard]] std::vector<Vec3> deep_points(const Nesting& nesting, int count);
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 }
@@ -57,4 +57,4 @@ std::vector<double> LargestScale::values(std::span<const double> positions, std:
   return values;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

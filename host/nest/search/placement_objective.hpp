@@ -10,7 +10,7 @@
 #include "nest/search/keep_out.hpp"
 #include "nest/search/objective.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// Positions of a PlacementSpace, without what decides about them.
 class PlacementObjective : public Objective {
@@ -82,4 +82,4 @@ class LargestScale final : public PlacementObjective {
   std::uint64_t tests_ = 0, aborted_ = 0;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 ClimbOptions seeded(ClimbOptions climb, std::uint64_t seed) {
@@ -94,4 +94,4 @@ Placement PlacementSearch::best(const SearchState& state) const {
   return placement;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -9,7 +9,7 @@
 #include "nest/search/placement_objective.hpp"
 #include "nest/search/swarm.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// All there is to know of a search on its way; one that goes on from a copy ends as the other does.
 struct SearchState {
@@ -54,4 +54,4 @@ class PlacementSearch {
   Climb climb_;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

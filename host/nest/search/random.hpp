@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// A uniform number in [0, 1) for each (seed, a, b, c). There is no state: numbers don't depend on the order
 /// in which, or the thread on which, they are asked for, and a search goes on from a checkpoint as if it had
@@ -20,4 +20,4 @@ namespace kreisel::nest {
   return static_cast<double>(z >> 11) * 0x1p-53;
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

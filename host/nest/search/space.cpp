@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
@@ -104,4 +104,4 @@ void Space::move(std::span<const double> step, std::span<double> x) const {
   project(x);
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

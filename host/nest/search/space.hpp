@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// One part of a position: a number in [lower, upper], a unit vector, or a rotation as a unit quaternion
 /// (w, x, y, z), q and -q being one.
@@ -48,4 +48,4 @@ class Space {
   int size_ = 0, freedom_ = 0, steps_ = 0;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -11,7 +11,7 @@
 #include "nest/search/random.hpp"
 #include "unknown_name.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 constexpr double nothing = -std::numeric_limits<double>::infinity();
@@ -264,4 +264,4 @@ SwarmStep Swarm::step(SwarmState& state) const {
   return ask(state);
 }
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

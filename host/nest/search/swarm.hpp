@@ -11,7 +11,7 @@
 
 #include "nest/search/objective.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 
 /// Whose best a particle is drawn to: anyone's, its two neighbours' on a ring, its four on a torus, or that
 /// of a few others, drawn anew whenever the swarm's best has not risen.
@@ -111,4 +111,4 @@ class Swarm {
   int size_, freedom_;
 };
 
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

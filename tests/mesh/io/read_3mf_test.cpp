@@ -5,7 +5,7 @@
 #include "mesh/mesh_folder.hpp"
 #include "mesh/zip_file.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 class Read3mf : public MeshFolder {};
@@ -115,4 +115,4 @@ TEST_F(Read3mf, SaysInOneLineWhyAPackageIsRefused) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

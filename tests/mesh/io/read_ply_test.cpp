@@ -8,7 +8,7 @@
 
 #include "mesh/mesh_folder.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 class ReadPly : public MeshFolder {};
@@ -135,4 +135,4 @@ TEST_F(ReadPly, SaysWhatIsWrongWithAHeader) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

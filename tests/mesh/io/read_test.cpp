@@ -10,7 +10,7 @@
 #include "mesh/mesh_folder.hpp"
 #include "mesh/solid/check.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 class ReadMesh : public MeshFolder {};
@@ -205,4 +205,4 @@ TEST_F(ReadMesh, WritesNothingToStandardError) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

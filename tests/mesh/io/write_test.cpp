@@ -10,7 +10,7 @@
 #include "mesh/mesh_folder.hpp"
 #include "mesh/solid/check.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -137,4 +137,4 @@ INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip,
                          [](const auto& format) { return std::string(format.param.first).substr(1); });
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

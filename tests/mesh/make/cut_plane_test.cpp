@@ -11,7 +11,7 @@
 #include "mesh/shapes.hpp"
 #include "mesh/solid/check.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 Moments moments_of(const TriangleMesh& mesh) { return reference::mesh_moments(mesh).value; }
@@ -82,4 +82,4 @@ TEST(CutPlane, MakesABlindHoleInTheCut) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

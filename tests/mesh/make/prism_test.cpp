@@ -8,7 +8,7 @@
 #include "body/mesh_moments.hpp"
 #include "mesh/solid/check.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(Prism, OverACircleIsASolidOfThePolygonsArea) {
@@ -24,4 +24,4 @@ TEST(Prism, OverACircleIsASolidOfThePolygonsArea) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

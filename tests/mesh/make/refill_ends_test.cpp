@@ -7,7 +7,7 @@
 #include "mesh/solid/check.hpp"
 #include "mesh/solid/self_intersections.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(RefillEnds, MendsAnEdgeOnTheWrongSideOfACorner) {
@@ -49,4 +49,4 @@ TEST(RefillEnds, LeavesAnEndWithACornerInside) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "mesh/shapes.hpp"
 #include "mesh/solid/check.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(SplitEdges, LeavesTheSolidAsItIs) {
@@ -30,4 +30,4 @@ TEST(SplitEdges, LeavesTheSolidAsItIs) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

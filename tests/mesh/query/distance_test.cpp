@@ -6,7 +6,7 @@
 
 #include "body/test_meshes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 const Vec3 a(0, 0, 0), b(4, 0, 0), c(0, 4, 0);
@@ -132,4 +132,4 @@ TEST(SurfaceDistance, OnAVertexIsZero) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

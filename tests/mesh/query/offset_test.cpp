@@ -8,7 +8,7 @@
 #include "body/test_meshes.hpp"
 #include "mesh/query/distance.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Lines = std::vector<std::vector<Span>>;
@@ -175,4 +175,4 @@ TEST(Offset, DoesNotDependOnHowTheMeshIsCut) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "body/models/geodesic.hpp"
 #include "refusal.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 /// Corner at the origin, legs of length 2: volume 8/6.
@@ -83,4 +83,4 @@ TEST(Check, MeasuresASphereFarFromTheOrigin) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "mesh/shapes.hpp"
 #include "mesh/solid/check.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 TEST(Shells, MeasureABox) {
@@ -82,4 +82,4 @@ TEST(Nesting, LooksAtTheSurfaceNotAtTheBox) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

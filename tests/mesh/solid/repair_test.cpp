@@ -10,7 +10,7 @@
 #include "mesh/solid/components.hpp"
 #include "mesh/solid/self_intersections.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -171,4 +171,4 @@ TEST(Repair, LeavesEdgesWhoseTrianglesLieOnEachOther) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "mesh/query/equal_vertices.hpp"
 #include "mesh/shapes.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;
@@ -153,4 +153,4 @@ TEST(EqualVertices, NamesTheFirstOfEachPlace) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

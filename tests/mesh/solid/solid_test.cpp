@@ -10,7 +10,7 @@
 #include "mesh/solid/check.hpp"
 #include "refusal.hpp"
 
-namespace kreisel {
+namespace kreisel::core {
 namespace {
 
 void refuses(const TriangleMesh& mesh, const std::vector<std::string>& parts) {
@@ -119,4 +119,4 @@ TEST(MakeSolid, MendsEveryHeapOfCellsThatTouchAlongEdgesAndCorners) {
 }
 
 }  // namespace
-}  // namespace kreisel
+}  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include "nest/inside_ball.hpp"
 #include "nest/known_answers.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 TEST(LargestNear, RaisesAScaleThatHoldsAndLowersOneThatDoesNot) {
@@ -48,4 +48,4 @@ TEST(CertifyScale, MissesNoScaleBetweenOthersThatDoNotHold) {
 }
 
 }  // namespace
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

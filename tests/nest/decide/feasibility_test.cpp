@@ -11,7 +11,7 @@
 #include "refusal.hpp"
 #include "test_device.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 TEST(Feasibility, SampledAt512GivesTheKnownAnswers) {
@@ -248,4 +248,4 @@ TEST(Feasibility, WorksAtTheEndsOfResolutionAndSize) {
 }
 
 }  // namespace
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -9,7 +9,7 @@
 #include "refusal.hpp"
 #include "test_device.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 TEST(ExactFeasibility, GivesTheKnownAnswers) {
@@ -182,4 +182,4 @@ TEST(ScaleSearch, SampledIsOptimisticByLessThanAPixelsWorthOnSmoothShapes) {
 }
 
 }  // namespace
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -10,7 +10,7 @@
 #include "nest/decide/hybrid.hpp"
 #include "refusal.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -229,4 +229,4 @@ TEST(Landscape, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -7,7 +7,7 @@
 #include "nest/known_objectives.hpp"
 #include "refusal.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 ClimbState climbed(Objective& objective, std::vector<double> x, double value, const ClimbOptions& options) {
@@ -82,4 +82,4 @@ TEST(Climb, NeverFallsAndRefusesUnfitOptions) {
 }
 
 }  // namespace
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "nest/known_answers.hpp"
 #include "mesh/shapes.hpp"
 #include "nest/decide/exact.hpp"
+#include "nest/known_answers.hpp"
 #include "refusal.hpp"
 #include "test_device.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 LayersSpec quick(double size, Tolerances tolerances) {
@@ -149,4 +149,4 @@ TEST(Clearance, IsThatOfTheWholeWayOut) {
 }
 
 }  // namespace
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nest/known_answers.hpp"
 #include "mesh/query/surface_rays.hpp"
 #include "nest/decide/exact.hpp"
+#include "nest/known_answers.hpp"
 #include "refusal.hpp"
 #include "test_device.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 OptimiseSpec quick(std::string_view free) {
@@ -123,4 +123,4 @@ TEST(Optimise, StartsDeepInsideAndRefusesUnknownNamesAndForeignCheckpoints) {
 }
 
 }  // namespace
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

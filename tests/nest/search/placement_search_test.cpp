@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nest/known_answers.hpp"
 #include "nest/inside_ball.hpp"
+#include "nest/known_answers.hpp"
 #include "refusal.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 /// Of a ball in a unit ball that is cut through its centre: 1 - |c|. As a real search, it gives up when that
@@ -170,4 +170,4 @@ TEST(KeepOut, ForbidsPlanesThatPartTheSurfaceInABall) {
 }
 
 }  // namespace
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -8,7 +8,7 @@
 
 #include "nest/search/random.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 const Space mixed({{Block::number, -2, 5}, {Block::direction}, {Block::rotation}});
@@ -72,4 +72,4 @@ TEST(Space, MovesByTurnsWhoseAngleIsTheStep) {
 }
 
 }  // namespace
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

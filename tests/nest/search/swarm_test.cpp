@@ -9,7 +9,7 @@
 #include "nest/known_objectives.hpp"
 #include "refusal.hpp"
 
-namespace kreisel::nest {
+namespace kreisel::core::nest {
 namespace {
 
 Target mixed_target(double wall = -1e9) {
@@ -199,4 +199,4 @@ TEST(Swarm, RefusesUnfitOptionsByName) {
 }
 
 }  // namespace
-}  // namespace kreisel::nest
+}  // namespace kreisel::core::nest

@@ -1,0 +1,10 @@
+// kreisel.hpp - all of the library. [docs/library.md]
+#pragma once
+
+#include "kreisel/control.hpp"
+#include "kreisel/error.hpp"
+#include "kreisel/mesh.hpp"
+#include "kreisel/nest.hpp"
+#include "kreisel/question.hpp"
+#include "kreisel/session.hpp"
+#include "kreisel/verdict.hpp"

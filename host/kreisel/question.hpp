@@ -1,0 +1,64 @@
+// question.hpp - what may be asked of a body.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "kreisel/mesh.hpp"
+
+namespace kreisel {
+
+/// How the body lies; model coordinates, mm. What is left out comes from the body: +z, its lowest point.
+struct Pose {
+  std::optional<Vec3> axis;     ///< to spin about; any length but zero
+  std::optional<Vec3> up;       ///< to stand or float by
+  std::optional<Vec3> contact;  ///< a point of the axis; after `size`
+  std::optional<double> size;   ///< longest side of the bounding box, mm; none: as the mesh is
+  /// Of a yo-yo, mm: radius of the axle, gap between the halves, depth of its holes.
+  std::optional<double> axle, slot, axle_depth;
+
+  bool operator==(const Pose&) const = default;
+};
+
+/// g/cm^3.
+struct Densities {
+  double shell = 1;
+  std::optional<double> interior = {};  ///< of what is left of the interior; none: the shell's
+  double filling = 0;                   ///< of what fills the voids
+
+  bool operator==(const Densities&) const = default;
+};
+
+/// What of the body can be filled.
+struct DomainSpec {
+  std::string kind = {};                  ///< exact or columns; empty: the formulation's own
+  std::array<int, 3> cells = {64, 0, 0};  ///< along the longest side; or the whole grid, three numbers
+  double wall_mm = 1.2;                   ///< least thickness that stays
+  std::string wall = {};                  ///< in its place: "2%" of the longest side, "1.5h" cells
+
+  bool operator==(const DomainSpec&) const = default;
+};
+
+/// One of the entries that `bench list` names, with settings as its documentation names them.
+struct Choice {
+  std::string name;
+  std::map<std::string, std::string> settings = {};
+
+  bool operator==(const Choice&) const = default;
+};
+
+/// A session makes again only what differs from the question before.
+struct Question {
+  Pose pose = {};
+  Densities densities = {};
+  DomainSpec domain = {};
+  Choice problem = {"spin"}, formulation = {"quadric"};
+  Choice solver = {""};  ///< empty: the first that works with the formulation
+  double certify = 0;    ///< relative gap to prove between result and bound; 0: no certificate
+
+  bool operator==(const Question&) const = default;
+};
+
+}  // namespace kreisel

@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "body/mesh_moments.hpp"
+#include "error.hpp"
+#include "library/state.hpp"
+#include "mesh/io/format.hpp"
+#include "mesh/io/read.hpp"
+
+namespace kreisel {
+Body::Body(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+
+Body Body::read(const std::filesystem::path& file, double mm_per_unit) {
+  if (!(mm_per_unit > 0) || !std::isfinite(mm_per_unit))
+    throw InputError(fmt::format("{} mm a unit of {}; expected > 0", mm_per_unit, file.string()));
+  if (mm_per_unit != 1 && core::mesh_format(file).has_unit)
+    throw InputError(fmt::format("{} mm a unit of {}, which says itself what its lengths are in; expected 1",
+                                 mm_per_unit, file.string()));
+  core::Source source{.name = file.stem().string(),
+                      .format = std::string(core::mesh_format(file).name),
+                      .mesh = core::read_mesh(file),
+                      .contact = {},
+                      .size = {}};
+  for (Vec3& v : source.mesh.vertices) v *= mm_per_unit;
+  core::Surface surface(std::move(source.mesh));
+  return Body(
+      std::make_shared<const State>(State{core::as_solid(std::move(source), surface, file.string())}));
+}
+
+Body Body::model(const std::string& name) {
+  core::BodySpec spec;
+  spec.model = name;
+  core::Source source = core::load_solid(spec);
+  // As `bench` has it: a model of the real world comes in its printed size.
+  if (source.size) {
+    const double scale = *source.size / core::bounding_box(source.mesh).extent().maxCoeff();
+    for (Vec3& v : source.mesh.vertices) v *= scale;
+    source.size.reset();
+  }
+  return Body(std::make_shared<const State>(State{std::move(source)}));
+}
+
+Body::Body(Mesh mesh) {
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t v : t)
+      if (v >= mesh.vertices.size())
+        throw InputError(fmt::format("a triangle of the vertex {}; expected one of {}, counted from 0", v,
+                                     mesh.vertices.size()));
+  core::Source source{.name = "mesh", .format = "in memory", .mesh = {}, .contact = {}, .size = {}};
+  core::Surface surface(std::move(mesh));
+  state_ = std::make_shared<const State>(State{core::as_solid(std::move(source), surface, "mesh")});
+}
+
+const Mesh& Body::mesh() const { return state_->mesh; }
+
+Moments Body::moments() const { return core::reference::mesh_moments(state_->mesh).value; }
+
+const std::vector<std::string>& Body::repairs() const { return state_->repairs; }
+
+}  // namespace kreisel

@@ -1,0 +1,39 @@
+#include "kreisel/nest.hpp"
+
+#include "run/nest_run.hpp"
+
+namespace kreisel {
+
+Nesting nest(const Mesh& outer, const Mesh& inner, const std::map<std::string, std::string>& fields,
+             const std::function<bool(int, double)>& on_iteration, const Control& control) {
+  core::NestConfig config;
+  for (const auto& [name, text] : fields) core::set_field(config, name, text);
+  for (const char* name : {"outer", "inner", "within"})
+    if (fields.contains(name))
+      throw InputError(std::string("nest: ") + name + " = '" + fields.at(name) +
+                       "'; expected none, the meshes are given");
+  if (config.layers > 0 || config.landscape > 0 || config.accuracy > 0)
+    throw InputError("nest: layers, landscape or accuracy; expected a test, a scale or a search");
+  core::NestHooks hooks;
+  hooks.control = control;
+  hooks.shapes = {outer, inner};
+  if (on_iteration)
+    hooks.on_iteration = [&](const core::nest::SearchState& state) {
+      return on_iteration(static_cast<int>(state.trace.size()), state.scale);
+    };
+  const core::NestResult found = core::run_nest(config, hooks);
+  Nesting nesting;
+  nesting.valid = found.valid;
+  nesting.scale = found.scale;
+  nesting.certified_scale = found.certified ? found.certified->scale : 0;
+  nesting.transform = found.transform;
+  nesting.plane_point = found.plane_point;
+  nesting.plane_normal = found.plane_normal;
+  nesting.plus = found.plus;
+  nesting.minus = found.minus;
+  nesting.text = found.text;
+  nesting.seconds = found.setup_seconds + found.search_seconds + found.certify_seconds;
+  return nesting;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fabricate/lay_flat.hpp"
+#include "library/config_of.hpp"
+#include "library/state.hpp"
+#include "mesh/io/encode.hpp"
+
+namespace kreisel {
+namespace {
+
+/// Which material a file holds goes by its name, as file_of_part() gives it.
+core::WrittenMaterial material_of(const std::filesystem::path& file, const core::Body& body) {
+  const std::string stem = file.stem().string();
+  if (stem.ends_with("-filling")) return {"filling", body.void_density, file};
+  if (stem.ends_with("-interior")) return {"interior", body.interior_density, file};
+  return {"part", body.density, file};
+}
+
+}  // namespace
+
+Part part_of(const core::Design& design) {
+  const core::RunResult& r = design.run;
+  Part part;
+  for (const core::MaterialPart& solid : design.part.solids) {
+    part.meshes.push_back(core::joined(core::laid_surfaces(solid), solid.name));
+    part.names.push_back(solid.name);
+    part.densities.push_back(solid.density);
+  }
+  part.moments = r.model_moments(r.verified.moments);
+  part.voids = r.voids.pieces.size();
+  part.wall_mm = design.wall;
+  part.thinnest = design.thinnest.thickness;
+  part.verdict = r.verified.verdict;
+  part.state = std::make_shared<const Part::State>(Part::State{design.part.solids});
+  return part;
+}
+
+std::vector<std::filesystem::path> Part::write(const std::filesystem::path& file) const {
+  std::vector<std::filesystem::path> files;
+  for (const core::WrittenMaterial& material : core::write_parts(file, state->solids))
+    if (files.empty() || files.back() != material.file) files.push_back(material.file);
+  return files;
+}
+
+Verdict verify(const std::vector<std::filesystem::path>& files, const Body& body, const Question& question) {
+  if (files.empty()) throw InputError("no files to verify; expected those of a part");
+  const core::RunConfig config = core::config_of(question);
+  const core::ProblemEntry& asked = core::find_problem(config.problem);
+  const core::Body solid = core::make_body(asked.posed(config.body), *body.state_);
+  const auto problem = asked.make(core::settings_of(config, "problem"), solid);
+  std::vector<core::WrittenMaterial> materials;
+  for (const std::filesystem::path& file : files) materials.push_back(material_of(file, solid));
+  return core::verify_written(std::move(materials), solid, *problem).verdict;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,155 @@
+#include "kreisel/session.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "body/mesh_moments.hpp"
+#include "design/design.hpp"
+#include "library/config_of.hpp"
+#include "library/state.hpp"
+#include "session/orientation_map.hpp"
+#include "session/remedies.hpp"
+#include "session/solved_run.hpp"
+
+namespace kreisel {
+namespace {
+
+using core::RunResult;
+
+Solution::End end_of(core::Termination termination) {
+  switch (termination) {
+    case core::Termination::optimal:
+      return Solution::End::optimal;
+    case core::Termination::acceptable:
+      return Solution::End::acceptable;
+    case core::Termination::infeasible:
+      return Solution::End::infeasible;
+    case core::Termination::failed:
+    case core::Termination::interrupted:
+      break;
+  }
+  return Solution::End::failed;
+}
+
+/// Of x in the frame of the rays, in that of the question: q(x) is one number, whatever frame x is given in.
+Moments quadric_in(const core::Frame& to, const core::Frame& from, const std::vector<double>& x) {
+  const Moments q(x.data());
+  const Eigen::Matrix3d R = to.rotation * from.rotation.transpose();
+  const core::Matrix10 map = core::moment_map(R, to.to_body(from.origin));
+  return map.transpose().partialPivLu().solve(q);
+}
+
+Solution solution_of(const Question& question, const core::SolvedRun& run) {
+  const RunResult& r = run.result;
+  const core::Frame& frame = run.stages().pose->frame;
+  Solution s;
+  s.question = question;
+  s.end = end_of(r.outcome.termination);
+  s.message = r.outcome.message;
+  s.objective = r.outcome.objective;
+  s.violation = r.outcome.violation;
+  s.moments = r.model_moments(r.outcome.moments);
+  s.variables = r.outcome.x;
+  if (run.stages().formulation->name() == "quadric") s.quadric_body = quadric_in(frame, r.frame, r.outcome.x);
+  if (r.certificate && std::isfinite(r.certificate->bound)) s.bound = r.certificate->bound;
+  if (!r.infeasibility.empty()) s.unmet = {r.infeasibility};
+  if (s.feasible()) s.verdict = run.problem().verify(r.outcome.moments, r.length_mm);
+  s.rotation = frame.rotation;
+  s.origin = frame.origin;
+  s.length_mm = frame.length;
+  s.setup_seconds = r.median.setup;
+  s.solve_seconds = r.median.solve;
+  return s;
+}
+
+}  // namespace
+
+Device::Device(const std::string& selector)
+    : state_(std::make_shared<const State>(State{core::device::Device(selector)})) {}
+
+std::string Device::name() const { return state_->device.info().name; }
+
+Session::Session(Body body, const Device& device)
+    : state_(std::make_unique<State>(
+          State{body,
+                core::Session(body.state_,
+                              std::make_shared<core::device::Device>(device.state_->device.with_own_queue())),
+                {}})) {}
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+Solution Session::solve(const Question& question, const Control& control) {
+  core::SolvedRun run(state_->session, core::config_of(question), control, core::Along::any_axis);
+  state_->note_made();
+  run.solve(control);
+  if (question.certify > 0) run.certify(control);
+  return solution_of(question, run);
+}
+
+std::string Session::remedies(const Solution& solution, const Control& control) {
+  if (solution.end != Solution::End::infeasible) return {};
+  const core::RunConfig config = core::config_of(solution.question);
+  const core::Stages stages = state_->session.stages(config, control);
+  state_->note_made();
+  return core::what_would_help(config, *stages.body, *stages.problem, *stages.device, control);
+}
+
+Part Session::part(const Solution& solution, const PartSpec& spec, const Control& control) {
+  core::DesignSpec design;
+  design.config = core::config_of(solution.question);
+  design.config.certify = 0;
+  design.printer_accuracy = spec.accuracy;
+  design.cut = spec.cut;
+  design.peg_radius = spec.pegs;
+  design.drain_radius = spec.drain;
+  design.lay_flat = spec.lay_flat;
+  const core::Design made = core::make_design(state_->session, design, control);
+  state_->note_made();
+  if (!made.feasible())
+    throw InputError(fmt::format("a part of what is infeasible: {}; expected a question that can be met",
+                                 made.run.infeasibility));
+  return part_of(made);
+}
+
+Map Session::map(const Question& question, int axes, bool centre, const Control& control) {
+  core::RunConfig config = core::config_of(question);
+  config.map.emplace();
+  config.map->axes = axes;
+  config.map->through = centre ? core::Through::centre : core::Through::lowest;
+  core::MapSpec spec = core::map_spec(config);
+  if (config.problem == "float") {
+    const auto draft = question.problem.settings.find("draft");
+    spec.drafts = {draft == question.problem.settings.end() ? "60%" : draft->second};
+  }
+  const core::OrientationMap found = core::map_orientations(state_->session, spec, control);
+  state_->note_made();
+  control.stop_if_asked();
+  Map map;
+  map.asked = question;
+  map.axes = found.axes;
+  map.contacts = found.contacts;
+  for (const core::MapAnswer& answer : found.answers) {
+    map.feasible.push_back(answer.status == core::MapAnswer::feasible);
+    map.ok.push_back(answer.verdict.ok);
+    map.objective.push_back(answer.objective);
+  }
+  if (const auto best = found.best()) map.best = best->axis;
+  return map;
+}
+
+const std::vector<std::string>& Session::made() const { return state_->made; }
+
+Question Map::question(std::size_t i) const {
+  Question one = asked;
+  const bool upright = core::find_problem(one.problem.name).upright;
+  (upright ? one.pose.up : one.pose.axis) = axes.at(i);
+  (upright ? one.pose.axis : one.pose.up) = std::nullopt;
+  one.pose.contact = contacts.at(i);
+  return one;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,494 @@
+// core.cpp - kreisel._core: the public headers in Python.
+#include <pybind11/eigen.h>
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <atomic>
+#include <csignal>
+#include <kreisel/kreisel.hpp>
+#include <thread>
+
+namespace py = pybind11;
+using namespace kreisel;
+
+namespace {
+
+/// Ctrl-C during a call of the main thread asks the call to stop; Python hears of it, too. Nobody registers a
+/// callback with the source, so that to ask is no more than an atomic operation.
+class StopOnInterrupt {
+ public:
+  StopOnInterrupt() : main_(std::this_thread::get_id() == main_thread) {
+    if (!main_) return;
+    current = &source_;
+    struct sigaction ours {};
+    ours.sa_handler = on_signal;
+    sigaction(SIGINT, &ours, &previous);
+  }
+  ~StopOnInterrupt() {
+    if (!main_) return;
+    sigaction(SIGINT, &previous, nullptr);
+    current = nullptr;
+  }
+  StopOnInterrupt(const StopOnInterrupt&) = delete;
+  StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
+
+  [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
+
+  static inline std::thread::id main_thread = std::this_thread::get_id();
+
+ private:
+  static void on_signal(int number) {
+    if (std::stop_source* asked = current) asked->request_stop();
+    if (previous.sa_handler != SIG_IGN && previous.sa_handler != SIG_DFL) previous.sa_handler(number);
+  }
+
+  bool main_;
+  std::stop_source source_;
+  static inline std::atomic<std::stop_source*> current = nullptr;
+  static inline struct sigaction previous {};
+};
+
+/// Runs `work(control)` without the GIL. @throws KeyboardInterrupt  by Ctrl-C
+template <class Work>
+auto without_gil(const Work& work, const std::function<void(const std::string&)>& progress = {}) {
+  try {
+    const StopOnInterrupt interrupt;
+    Control control;
+    control.stop = interrupt.token();
+    if (progress)
+      control.progress = [&](const std::string& step) {
+        const py::gil_scoped_acquire held;
+        progress(step);
+      };
+    const py::gil_scoped_release released;
+    return work(control);
+  } catch (const Interrupted&) {
+    if (PyErr_CheckSignals() == 0) PyErr_SetNone(PyExc_KeyboardInterrupt);
+    throw py::error_already_set();
+  }
+}
+
+using Vertices = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Faces = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+void require_rows_of_three(const py::array& array, const char* what) {
+  if (array.ndim() == 2 && array.shape(1) == 3) return;
+  std::string shape;
+  for (py::ssize_t i = 0; i < array.ndim(); ++i) shape += (i ? " x " : "") + std::to_string(array.shape(i));
+  throw InputError(std::string(what) + " of shape " + shape + "; expected n x 3");
+}
+
+Mesh mesh_of(const Vertices& vertices, const Faces& faces) {
+  require_rows_of_three(vertices, "vertices");
+  require_rows_of_three(faces, "faces");
+  Mesh mesh;
+  const auto v = vertices.unchecked<2>();
+  const auto f = faces.unchecked<2>();
+  for (py::ssize_t i = 0; i < v.shape(0); ++i) mesh.vertices.emplace_back(v(i, 0), v(i, 1), v(i, 2));
+  for (py::ssize_t i = 0; i < f.shape(0); ++i) {
+    Triangle t{};
+    for (py::ssize_t k = 0; k < 3; ++k) {
+      if (f(i, k) < 0 || f(i, k) >= v.shape(0))
+        throw InputError("face " + std::to_string(i) + " of the vertex " + std::to_string(f(i, k)) +
+                         "; expected one of " + std::to_string(v.shape(0)) + ", counted from 0");
+      t[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(f(i, k));
+    }
+    mesh.triangles.push_back(t);
+  }
+  return mesh;
+}
+
+/// Read-only views of a mesh that `owner` holds: (n, 3) float64 and (m, 3) uint32.
+py::tuple views_of(const Mesh& mesh, const py::object& owner) {
+  const auto rows = [](std::size_t n) { return std::vector<py::ssize_t>{static_cast<py::ssize_t>(n), 3}; };
+  py::array_t<double> vertices(rows(mesh.vertices.size()),
+                               mesh.vertices.empty() ? nullptr : mesh.vertices.front().data(), owner);
+  py::array_t<std::uint32_t> faces(rows(mesh.triangles.size()),
+                                   mesh.triangles.empty() ? nullptr : mesh.triangles.front().data(), owner);
+  vertices.attr("flags").attr("writeable") = false;
+  faces.attr("flags").attr("writeable") = false;
+  return py::make_tuple(vertices, faces);
+}
+
+py::array view_of(const Moments& moments, const py::object& owner) {
+  py::array_t<double> view(std::vector<py::ssize_t>{10}, moments.data(), owner);
+  view.attr("flags").attr("writeable") = false;
+  return view;
+}
+
+std::string text_of(const py::handle& value) {
+  return py::isinstance<py::str>(value) ? value.cast<std::string>() : py::repr(value).cast<std::string>();
+}
+
+/// A number as text, or three of them, as fields are written: "60", "0,0,1".
+std::string field_text(const py::handle& value) {
+  if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value)) {
+    if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+    if (PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr())) return text_of(value);
+    if (py::hasattr(value, "tolist")) return field_text(value.attr("tolist")());
+    return text_of(value);
+  }
+  std::string text;
+  for (const py::handle part : value) text += (text.empty() ? "" : ",") + text_of(part);
+  return text;
+}
+
+template <class T>
+T value_of(const std::string& key, const py::handle& value, const char* expected) {
+  try {
+    return value.cast<T>();
+  } catch (const py::cast_error&) {
+    throw InputError(key + " = " + text_of(value) + "; expected " + expected);
+  }
+}
+
+void set_cells(Question& q, const py::handle& value) {
+  if (py::isinstance<py::int_>(value) || py::hasattr(value, "__index__"))
+    q.domain.cells = {value_of<int>("cells", value, "a whole number, or three"), 0, 0};
+  else
+    q.domain.cells = value_of<std::array<int, 3>>("cells", value, "a whole number, or three");
+}
+
+void set_wall(Question& q, const py::handle& value) {
+  const bool text = py::isinstance<py::str>(value);
+  q.domain.wall = text ? value.cast<std::string>() : "";
+  if (!text) q.domain.wall_mm = value_of<double>("wall", value, "mm, or text: \"2%\", \"1.5h\"");
+}
+
+void set_settings(Question& q, const py::handle& value) {
+  for (const auto& [name, text] : value_of<py::dict>("settings", value, "a dict")) {
+    const std::string key = name.cast<std::string>();
+    const std::size_t dot = key.find('.');
+    const std::string group = key.substr(0, dot), rest = dot == std::string::npos ? "" : key.substr(dot + 1);
+    if (rest.empty()) throw InputError("settings: '" + key + "'; expected GROUP.NAME, such as problem.draft");
+    if (group == "problem")
+      q.problem.settings[rest] = field_text(text);
+    else if (group == "formulation")
+      q.formulation.settings[rest] = field_text(text);
+    else
+      q.solver.settings[key] = field_text(text);
+  }
+}
+
+using Setter = void (*)(Question&, const py::handle&);
+using Optional = std::optional<double>;
+
+const std::map<std::string, Setter>& setters() {
+  using H = const py::handle&;
+  static const std::map<std::string, Setter> all = {
+      {"problem", [](Question& q, H v) { q.problem.name = value_of<std::string>("problem", v, "a name"); }},
+      {"formulation",
+       [](Question& q, H v) { q.formulation.name = value_of<std::string>("formulation", v, "a name"); }},
+      {"solver", [](Question& q, H v) { q.solver.name = value_of<std::string>("solver", v, "a name"); }},
+      {"domain", [](Question& q, H v) { q.domain.kind = value_of<std::string>("domain", v, "a name"); }},
+      {"settings", set_settings},
+      {"axis",
+       [](Question& q, H v) { q.pose.axis = value_of<std::optional<Vec3>>("axis", v, "three numbers"); }},
+      {"up", [](Question& q, H v) { q.pose.up = value_of<std::optional<Vec3>>("up", v, "three numbers"); }},
+      {"contact",
+       [](Question& q, H v) {
+         q.pose.contact = value_of<std::optional<Vec3>>("contact", v, "three numbers, mm");
+       }},
+      {"size", [](Question& q, H v) { q.pose.size = value_of<Optional>("size", v, "mm"); }},
+      {"axle", [](Question& q, H v) { q.pose.axle = value_of<Optional>("axle", v, "mm"); }},
+      {"slot", [](Question& q, H v) { q.pose.slot = value_of<Optional>("slot", v, "mm"); }},
+      {"axle_depth", [](Question& q, H v) { q.pose.axle_depth = value_of<Optional>("axle_depth", v, "mm"); }},
+      {"density", [](Question& q, H v) { q.densities.shell = value_of<double>("density", v, "g/cm^3"); }},
+      {"interior_density",
+       [](Question& q, H v) { q.densities.interior = value_of<Optional>("interior_density", v, "g/cm^3"); }},
+      {"void_density",
+       [](Question& q, H v) { q.densities.filling = value_of<double>("void_density", v, "g/cm^3"); }},
+      {"wall", set_wall},
+      {"cells", set_cells},
+      {"certify",
+       [](Question& q, H v) { q.certify = value_of<double>("certify", v, "a gap, such as 1e-3"); }},
+  };
+  return all;
+}
+
+Question replaced(Question question, const py::kwargs& fields) {
+  for (const auto& [key, value] : fields) {
+    const auto setter = setters().find(key.cast<std::string>());
+    if (setter == setters().end()) {
+      std::string names;
+      for (const auto& [name, unused] : setters()) names += (names.empty() ? "" : ", ") + name;
+      throw InputError("question: no field '" + key.cast<std::string>() + "'; expected one of: " + names);
+    }
+    setter->second(question, value);
+  }
+  return question;
+}
+
+/// A question, or the name of its problem, and what differs from it.
+Question question_of(const py::object& asked, const py::kwargs& fields) {
+  if (py::isinstance<Question>(asked)) return replaced(asked.cast<Question>(), fields);
+  Question question;
+  question.problem.name = value_of<std::string>("problem", asked, "a name, or a Question");
+  return replaced(std::move(question), fields);
+}
+
+std::string repr_of(const Question& q) {
+  return "Question(problem='" + q.problem.name + "', formulation='" + q.formulation.name +
+         "', cells=" + std::to_string(q.domain.cells[0]) +
+         ", wall=" + (q.domain.wall.empty() ? std::to_string(q.domain.wall_mm) : "'" + q.domain.wall + "'") +
+         ")";
+}
+
+const char* name_of(Solution::End end) {
+  switch (end) {
+    case Solution::End::optimal:
+      return "optimal";
+    case Solution::End::acceptable:
+      return "acceptable";
+    case Solution::End::infeasible:
+      return "infeasible";
+    case Solution::End::failed:
+      break;
+  }
+  return "failed";
+}
+
+/// What a callback of nest() is told.
+struct Iteration {
+  int iteration;
+  double scale;
+};
+
+Mesh shape_of(const py::object& shape) {
+  if (py::isinstance<Body>(shape)) return shape.cast<const Body&>().mesh();
+  const auto pair = value_of<std::pair<Vertices, Faces>>("shape", shape, "a Body, or vertices and faces");
+  return mesh_of(pair.first, pair.second);
+}
+
+Nesting nested(const py::object& outer, const py::object& inner, const py::object& on_iteration,
+               const py::kwargs& fields) {
+  std::map<std::string, std::string> text;
+  for (const auto& [key, value] : fields) {
+    std::string name = key.cast<std::string>();
+    std::ranges::replace(name, '_', '-');
+    text[name] = field_text(value);
+  }
+  const Mesh a = shape_of(outer), b = inner.is_none() ? a : shape_of(inner);
+  std::function<bool(int, double)> told;
+  py::object failure;
+  if (!on_iteration.is_none())
+    told = [&](int iteration, double scale) {
+      const py::gil_scoped_acquire held;
+      const py::object answer = on_iteration(Iteration{iteration, scale});
+      return answer.is_none() || answer.cast<bool>();
+    };
+  return without_gil([&](const Control& control) { return nest(a, b, text, told, control); });
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, m) {
+  m.doc() = "Kreisel's compiled part. Use the package kreisel.";
+  StopOnInterrupt::main_thread = std::this_thread::get_id();
+
+  static py::exception<Error> error(m, "Error", PyExc_RuntimeError);
+  static py::exception<InputError> input_error(m, "InputError",
+                                               py::make_tuple(error, py::handle(PyExc_ValueError)));
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const InputError& e) {
+      input_error(e.what());
+    } catch (const Error& e) {
+      error(e.what());
+    }
+  });
+
+  py::class_<Verdict>(m, "Verdict", "Does a finished part do what was asked?")
+      .def_readonly("ok", &Verdict::ok)
+      .def_readonly("text", &Verdict::text, "One sentence.")
+      .def_readonly("values", &Verdict::values, "The numbers behind it.")
+      .def("__bool__", [](const Verdict& v) { return v.ok; })
+      .def("__repr__", [](const Verdict& v) { return "Verdict(" + v.text + ")"; });
+
+  py::class_<Device>(m, "Device", "An OpenCL device, shared by sessions.")
+      .def(py::init<const std::string&>(), py::arg("selector") = "",
+           "Opens it: an index or part of a name; empty: $KREISEL_DEVICE, a GPU, PoCL, the first there is.")
+      .def_property_readonly("name", &Device::name);
+
+  py::class_<Body>(m, "Body", "A solid, its mesh mended where that is safe, and checked. Lengths in mm.")
+      .def(py::init([](const Vertices& v, const Faces& f) { return Body(mesh_of(v, f)); }),
+           py::arg("vertices"), py::arg("faces"),
+           "Of arrays (n, 3) and (m, 3). Raises InputError where they bound no solid.")
+      .def_static(
+          "read",
+          [](const std::filesystem::path& file, double mm) {
+            const py::gil_scoped_release released;
+            return Body::read(file, mm);
+          },
+          py::arg("file"), py::arg("mm_per_unit") = 1.0, "Reads OFF, OBJ, PLY, STL or 3MF.")
+      .def_static("model", &Body::model, py::arg("name"), "A model of `bench list`.")
+      .def_property_readonly(
+          "mesh", [](const py::object& self) { return views_of(self.cast<const Body&>().mesh(), self); },
+          "Vertices (n, 3) float64 and faces (m, 3) uint32, views.")
+      .def("moments", &Body::moments, "At density 1: 1 x y z xy yz xz xx yy zz, mm^3 to mm^5; (10,).")
+      .def_property_readonly("repairs", &Body::repairs, "What was mended, one line each.");
+
+  py::class_<Question>(m, "Question", "What may be asked of a body. Immutable: replace() gives another.")
+      .def(py::init([](const py::object& problem, const py::kwargs& fields) {
+             return question_of(problem, fields);
+           }),
+           py::arg("problem") = "spin",
+           "Fields: problem, formulation, solver, domain, settings, axis, up, contact, size, axle, slot, "
+           "axle_depth, density, interior_density, void_density, wall, cells, certify.")
+      .def(
+          "replace", [](const Question& q, const py::kwargs& fields) { return replaced(q, fields); },
+          "The same but for the fields given.")
+      .def_property_readonly("problem", [](const Question& q) { return q.problem.name; })
+      .def_property_readonly("formulation", [](const Question& q) { return q.formulation.name; })
+      .def_property_readonly("axis", [](const Question& q) { return q.pose.axis; })
+      .def_property_readonly("up", [](const Question& q) { return q.pose.up; })
+      .def_property_readonly("contact", [](const Question& q) { return q.pose.contact; })
+      .def_property_readonly("size", [](const Question& q) { return q.pose.size; })
+      .def_property_readonly("wall",
+                             [](const Question& q) -> py::object {
+                               if (q.domain.wall.empty()) return py::float_(q.domain.wall_mm);
+                               return py::str(q.domain.wall);
+                             })
+      .def_property_readonly("cells", [](const Question& q) { return q.domain.cells; })
+      .def("__eq__", [](const Question& a, const Question& b) { return a == b; })
+      .def("__repr__", &repr_of);
+
+  py::class_<Solution>(m, "Solution", "The answer to a question, before anything is meshed.")
+      .def_readonly("question", &Solution::question)
+      .def_property_readonly(
+          "end", [](const Solution& s) { return name_of(s.end); },
+          "optimal, acceptable, infeasible or failed.")
+      .def_property_readonly("feasible", &Solution::feasible)
+      .def_readonly("message", &Solution::message, "The solver's own words.")
+      .def_readonly("objective", &Solution::objective)
+      .def_readonly("violation", &Solution::violation, "Largest of the constraints, body units.")
+      .def_property_readonly(
+          "moments",
+          [](const py::object& self) { return view_of(self.cast<const Solution&>().moments, self); },
+          "Of the whole solid: g, g mm, g mm^2; (10,).")
+      .def_property_readonly(
+          "quadric_body",
+          [](const py::object& self) -> py::object {
+            const auto& q = self.cast<const Solution&>().quadric_body;
+            if (!q) return py::none();
+            return view_of(*q, self);
+          },
+          "Negative where the heavier material goes, body frame and units; (10,), or None.")
+      .def_property_readonly("variables",
+                             [](const py::object& self) {
+                               const auto& x = self.cast<const Solution&>().variables;
+                               py::array_t<double> view(
+                                   std::vector<py::ssize_t>{static_cast<py::ssize_t>(x.size())}, x.data(),
+                                   self);
+                               view.attr("flags").attr("writeable") = false;
+                               return view;
+                             })
+      .def_readonly("bound", &Solution::bound,
+                    "No interior of the domain has less; None where not asked for.")
+      .def_readonly("unmet", &Solution::unmet, "Where infeasible: what cannot be met.")
+      .def_readonly("verdict", &Solution::verdict, "Of these moments; not of a mesh.")
+      .def_readonly("rotation", &Solution::rotation, "x_body = rotation (x - origin) / length_mm")
+      .def_readonly("origin", &Solution::origin)
+      .def_readonly("length_mm", &Solution::length_mm)
+      .def_readonly("setup_seconds", &Solution::setup_seconds)
+      .def_readonly("solve_seconds", &Solution::solve_seconds)
+      .def("__repr__", [](const Solution& s) {
+        return std::string("Solution(") + name_of(s.end) + ", objective=" + std::to_string(s.objective) + ")";
+      });
+
+  py::class_<Part>(m, "Part", "What is printed or cast, in memory.")
+      .def_property_readonly(
+          "meshes",
+          [](const py::object& self) {
+            py::list all;
+            for (const Mesh& mesh : self.cast<const Part&>().meshes) all.append(views_of(mesh, self));
+            return all;
+          },
+          "Vertices and faces of each closed solid, views.")
+      .def_readonly("names", &Part::names)
+      .def_readonly("densities", &Part::densities, "g/cm^3")
+      .def_property_readonly(
+          "moments", [](const py::object& self) { return view_of(self.cast<const Part&>().moments, self); },
+          "Of all solids: g, g mm, g mm^2; (10,).")
+      .def_readonly("voids", &Part::voids)
+      .def_readonly("wall_mm", &Part::wall_mm)
+      .def_readonly("thinnest", &Part::thinnest, "mm")
+      .def_readonly("verdict", &Part::verdict)
+      .def("write", &Part::write, py::arg("file"), py::call_guard<py::gil_scoped_release>(),
+           "Writes STL, OFF, OBJ, PLY or 3MF whole or not at all; returns the files.");
+
+  py::class_<Map>(m, "Map", "Where a body can spin, or float.")
+      .def_property_readonly("axes", [](const Map& map) { return map.axes; })
+      .def_property_readonly("contacts", [](const Map& map) { return map.contacts; })
+      .def_property_readonly("feasible", [](const Map& map) { return map.feasible; })
+      .def_property_readonly("ok", [](const Map& map) { return map.ok; })
+      .def_property_readonly("objective", [](const Map& map) { return map.objective; })
+      .def_readonly("best_index", &Map::best)
+      .def("question", &Map::question, py::arg("i"), "The question of one axis.");
+
+  py::class_<Session>(m, "Session", "A body with its domain, kept between questions. One thread at a time.")
+      .def(
+          py::init([](const Body& body, const std::string& device) { return Session(body, Device(device)); }),
+          py::arg("body"), py::arg("device") = "")
+      .def(py::init([](const Body& body, const Device& device) { return Session(body, device); }),
+           py::arg("body"), py::arg("device"))
+      .def(
+          "solve",
+          [](Session& s, const py::object& question, const py::kwargs& fields) {
+            const Question asked = question_of(question, fields);
+            return without_gil([&](const Control& control) { return s.solve(asked, control); });
+          },
+          py::arg("question") = "spin",
+          "Solves a Question, or the problem of that name; keywords are fields of Question.")
+      .def(
+          "part",
+          [](Session& s, const Solution& solution, double accuracy, const std::string& cut, double pegs,
+             double drain, bool lay_flat) {
+            const PartSpec spec{accuracy, cut == "none" ? "" : cut, pegs, drain, lay_flat};
+            return without_gil([&](const Control& control) { return s.part(solution, spec, control); });
+          },
+          py::arg("solution"), py::kw_only(), py::arg("accuracy") = 0.4, py::arg("cut") = "none",
+          py::arg("pegs") = 0.0, py::arg("drain") = 0.0, py::arg("lay_flat") = false,
+          "Meshes, finishes and judges the part; lengths in mm.")
+      .def(
+          "remedies",
+          [](Session& s, const Solution& solution) {
+            return without_gil([&](const Control& control) { return s.remedies(solution, control); });
+          },
+          py::arg("solution"), "Of an infeasible solution: what would help.")
+      .def(
+          "_map",
+          [](Session& s, const py::object& question, int axes, bool centre, const py::kwargs& fields) {
+            const Question asked = question_of(question, fields);
+            return without_gil([&](const Control& control) { return s.map(asked, axes, centre, control); });
+          },
+          py::arg("question"), py::arg("axes"), py::arg("centre"))
+      .def_property_readonly("made", &Session::made, "The stages that the last question made anew.");
+
+  m.def("verify", &verify, py::arg("files"), py::arg("body"), py::arg("question"),
+        py::call_guard<py::gil_scoped_release>(), "Reads the files of a part again and judges them.");
+
+  py::class_<Iteration>(m, "Iteration", "What the callback of nest() is told.")
+      .def_readonly("iteration", &Iteration::iteration)
+      .def_readonly("scale", &Iteration::scale, "The best so far.");
+  py::class_<Nesting>(m, "Nesting", "One shape in another, a cut and the ways out.")
+      .def_readonly("valid", &Nesting::valid)
+      .def_readonly("scale", &Nesting::scale)
+      .def_readonly("certified_scale", &Nesting::certified_scale)
+      .def_readonly("transform", &Nesting::transform, "(3, 4): the inner mesh's coordinates to the outer's.")
+      .def_readonly("plane_point", &Nesting::plane_point)
+      .def_readonly("plane_normal", &Nesting::plane_normal)
+      .def_readonly("plus", &Nesting::plus)
+      .def_readonly("minus", &Nesting::minus)
+      .def_readonly("text", &Nesting::text)
+      .def_readonly("seconds", &Nesting::seconds)
+      .def("__repr__", [](const Nesting& n) { return "Nesting(" + n.text + ")"; });
+  m.def("nest", &nested, py::arg("outer"), py::arg("inner") = py::none(),
+        py::arg("on_iteration") = py::none(),
+        "How large a copy nests inside, and can be taken out. Keywords are the fields of `bench nest`: "
+        "free=\"all\", seconds=10, scale=0.5. The callback's False ends a search and keeps the best.");
+}
