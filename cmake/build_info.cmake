@@ -1,7 +1,10 @@
-# Writes OUTPUT with the commit that SOURCE stands at; left alone when nothing changed, so nothing is rebuilt.
+# Writes OUTPUT with the commit that SOURCE stands at, or was archived at; left alone when nothing changed, so nothing is rebuilt.
+file(READ "${SOURCE}/cmake/commit.txt" archived)  # git writes it into archives (.gitattributes)
 find_package(Git QUIET)
 set(commit "unknown")
-if(GIT_FOUND)
+if(archived MATCHES "^[0-9a-f]+")
+  string(SUBSTRING "${archived}" 0 12 commit)
+elseif(GIT_FOUND)
   execute_process(COMMAND ${GIT_EXECUTABLE} describe --always --abbrev=12 --dirty --exclude=* WORKING_DIRECTORY ${SOURCE}
                   OUTPUT_VARIABLE described OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE status)
   if(status EQUAL 0)

@@ -95,6 +95,19 @@ class Finishing {
 
 }  // namespace
 
+std::map<std::string, std::string> describe(const DesignSpec& spec) {
+  RunConfig config = spec.config;
+  config.wall.to_corners = true;
+  std::map<std::string, std::string> fields = describe(config);
+  fields["printer-accuracy"] = fmt::format("{}", spec.printer_accuracy);
+  if (!spec.cut.empty()) fields["cut"] = spec.cut;
+  if (spec.peg_radius > 0) fields["pegs"] = fmt::format("{}", spec.peg_radius);
+  if (spec.drain_radius > 0) fields["drain"] = fmt::format("{}", spec.drain_radius);
+  if (spec.lay_flat) fields["lay-flat"] = "true";
+  if (spec.mould) fields["mould"] = "true";
+  return fields;
+}
+
 Design make_design(Session& session, const DesignSpec& spec, const Control& control) {
   Finishing finishing(spec);
   if (spec.mould) require_metal(spec.config.body);
@@ -106,6 +119,9 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
   require_printable(run.result, spec.printer_accuracy);
   run.complete(control);
   Design design{};
+  DesignSpec used = spec;
+  used.config = run.result.config;  // with the solver that was taken
+  design.config = describe(used);
   design.printer_accuracy = spec.printer_accuracy;
   design.part.outer = run.body().mesh;
   if (run.result.outcome.termination != Termination::infeasible) {

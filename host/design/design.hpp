@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "design/figures.hpp"
@@ -27,8 +29,12 @@ struct DesignSpec {
   bool lay_flat = false;    ///< pieces of cuts are written beside each other, each on its cut
 };
 
+/// The configuration with what finishes the part, by the names of options: what reproduces it.
+[[nodiscard]] std::map<std::string, std::string> describe(const DesignSpec& spec);
+
 /// A part that was made, with the solid it was made of beside it.
 struct Design {
+  std::map<std::string, std::string> config;  ///< describe()
   RunResult run;
   PartMeshes part;            ///< model coordinates, mm; no cavity where the problem is infeasible
   Figures before, after;      ///< the solid; the part, from the files as read again

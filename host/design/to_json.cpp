@@ -53,7 +53,7 @@ std::string to_json(const Design& design) {
   json summary = {{"model", r.config.body.model},
                   {"problem", r.config.problem},
                   {"formulation", r.config.formulation},
-                  {"config", describe(r.config)},
+                  {"config", design.config},
                   {"commit", r.provenance.commit},
                   {"device", r.provenance.device},
                   {"repairs", r.repairs},

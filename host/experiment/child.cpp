@@ -129,10 +129,12 @@ ChildEnd run_child(std::vector<std::string> words, const Limits& limits, bool qu
 
 fs::path program_beside(const char* name) {
   std::error_code ignored;
-  const fs::path path = fs::read_symlink("/proc/self/exe", ignored).parent_path() / name;
-  if (!fs::exists(path, ignored))
-    throw InputError(fmt::format("{}: no such file; expected the program {}", path.string(), name));
-  return path;
+  const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path(),
+                 installed = here.parent_path() / KREISEL_LIBEXEC;
+  for (const fs::path& folder : {here, installed})
+    if (fs::exists(folder / name, ignored)) return folder / name;
+  throw InputError(fmt::format("{}: no such file, nor in {}; expected the program {}", (here / name).string(),
+                               installed.string(), name));
 }
 
 }  // namespace kreisel::core

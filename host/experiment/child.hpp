@@ -30,7 +30,7 @@ struct ChildEnd {
 [[nodiscard]] ChildEnd run_child(std::vector<std::string> words, const Limits& limits = {},
                                  bool quiet = false);
 
-/// A program that lies beside this one. @throws InputError  it does not
+/// A program that lies beside this one, or where an installed one finds it. @throws InputError  in neither
 [[nodiscard]] std::filesystem::path program_beside(const char* name);
 
 }  // namespace kreisel::core

@@ -7,7 +7,8 @@
 namespace kreisel::core {
 
 /// Lets `write` fill a temporary name in the folder of `path`, then renames it to `path`. Creates the folder.
-/// Whatever goes wrong, an earlier file at `path` stays as it was and no temporary file is left.
+/// Removes what a killed run left of the same name. Whatever goes wrong, an earlier file at `path` stays as
+/// it was and no temporary file is left.
 ///
 /// @throws InputError  no such folder can be made, or the name is taken by one; whatever `write` throws
 void replace_file(const std::filesystem::path& path,

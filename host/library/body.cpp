@@ -47,6 +47,10 @@ Body::Body(Mesh mesh) {
       if (v >= mesh.vertices.size())
         throw InputError(fmt::format("a triangle of the vertex {}; expected one of {}, counted from 0", v,
                                      mesh.vertices.size()));
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    if (!mesh.vertices[i].allFinite())
+      throw InputError(fmt::format("vertex {} is not finite; expected three numbers", i));
+  if (mesh.triangles.empty()) throw InputError("a mesh without triangles; expected a closed surface");
   core::Source source{.name = "mesh", .format = "in memory", .mesh = {}, .contact = {}, .size = {}};
   core::Surface surface(std::move(mesh));
   state_ = std::make_shared<const State>(State{core::as_solid(std::move(source), surface, "mesh")});

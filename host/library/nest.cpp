@@ -14,6 +14,8 @@ Nesting nest(const Mesh& outer, const Mesh& inner, const std::map<std::string, s
                        "'; expected none, the meshes are given");
   if (config.layers > 0 || config.landscape > 0 || config.accuracy > 0)
     throw InputError("nest: layers, landscape or accuracy; expected a test, a scale or a search");
+  config.outer = "outer";  // in words, of the meshes below
+  config.inner = "inner";
   core::NestHooks hooks;
   hooks.control = control;
   hooks.shapes = {outer, inner};

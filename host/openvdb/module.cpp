@@ -33,9 +33,8 @@ class InVoxels {
 }  // namespace
 }  // namespace kreisel::core
 
-extern "C" __attribute__((visibility("default"))) void kreisel_offset(const kreisel::core::TriangleMesh& mesh,
-                                                                      double distance, double voxel,
-                                                                      kreisel::core::TriangleMesh& result) {
+extern "C" void kreisel_offset(const kreisel::core::TriangleMesh& mesh, double distance, double voxel,
+                               kreisel::core::TriangleMesh& result) {
   openvdb::initialize();
   const kreisel::core::InVoxels in_voxels(mesh, voxel);
   // Three voxels beyond the surface asked for, and beyond the mesh: what interpolation looks at, and to

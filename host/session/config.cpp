@@ -101,7 +101,17 @@ const std::map<std::string_view, Setter>& setters() {
        }},
       {"resolution", [](C c, S k, S v) { c.grid = grid(k, v); }},
       {"level", [](C c, S k, S v) { c.grid = grid_of_level(k, v); }},
-      {"wall", [](C c, S, S v) { c.wall = parse_wall(std::string(v)); }},
+      {"wall",
+       [](C c, S, S v) {
+         const bool to_corners = c.wall.to_corners;
+         c.wall = parse_wall(std::string(v));
+         c.wall.to_corners = to_corners;
+       }},
+      {"wall-to",
+       [](C c, S k, S v) {
+         if (v != "centres" && v != "corners") refuse(k, v, "centres or corners");
+         c.wall.to_corners = v == "corners";
+       }},
       {"axes", [](C c, S k, S v) { map_of(c).axes = whole(k, v, 1); }},
       {"through",
        [](C c, S k, S v) {
@@ -211,6 +221,7 @@ std::map<std::string, std::string> describe(const RunConfig& config) {
   if (domain_of(config) != "columns") fields["domain"] = domain_of(config);
   fields["resolution"] = text_of(config.grid);
   fields["wall"] = to_string(config.wall);
+  if (config.wall.to_corners) fields["wall-to"] = "corners";
   fields["density"] = fmt::format("{}", config.body.density);
   if (config.body.interior_density)
     fields["interior-density"] = fmt::format("{}", *config.body.interior_density);

@@ -62,7 +62,8 @@ struct RunConfig {
 };
 
 /// Sets one field from text, as the command line and TOML files name them: model, problem, formulation,
-/// solver, domain, resolution (N or NXxNYxNZ), level (of an octree: 2^level cells), wall, rounding, part,
+/// solver, domain, resolution (N or NXxNYxNZ), level (of an octree: 2^level cells), wall, wall-to (centres or
+/// corners of voxels), rounding, part,
 /// axis, contact, up ("x,y,z"), unit, size, density, interior-density, void-density, axle, slot, axle-depth
 /// (mm), fineness, device, precision, repeat, budget, memory (GB), seconds, certify, and GROUP.NAME for
 /// settings. Any of axes, through and drafts ("20%,40%") makes the run a map.

@@ -11,6 +11,7 @@
 #include "apps/run_bench.hpp"
 #include "body/hydrostatics.hpp"
 #include "body/mesh_moments.hpp"
+#include "installed.hpp"
 #include "mesh/io/read.hpp"
 #include "mesh/io/write.hpp"
 #include "mesh/shapes.hpp"
@@ -55,8 +56,7 @@ TEST_F(Bench, WritesAMeshWhoseMomentsAreTheReportedOnes) {
 }
 
 TEST_F(Bench, WritesARecordThatH5pyReadsByTheSchema) {
-  if (std::system("/usr/bin/python3 -c 'import h5py' 2>/dev/null") != 0)
-    GTEST_SKIP() << "h5py is not installed";
+  KREISEL_NEEDS(imports("h5py"), "h5py");
   const BenchAnswer a = bench(fmt::format("{} --record {}", small, file("run.h5")));
   ASSERT_NE(a.code, 2) << a.out;
   EXPECT_EQ(std::system(fmt::format("/usr/bin/python3 '{}/tests/record/h5py_test.py' {}", KREISEL_SOURCE,

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/run_bench.hpp"
+#include "installed.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
@@ -27,16 +28,14 @@ class Certified : public testing::Test {
   [[nodiscard]] BenchAnswer check() const {
     return shell(fmt::format("{} '{}/plots/check_certificate.py' '{}'", python, KREISEL_SOURCE, record()));
   }
-  static bool can_check() {
-    return std::system((python + " -c 'import h5py, numpy' 2>/dev/null").c_str()) == 0;
-  }
+  static bool can_check() { return imports("h5py, numpy"); }
 
   TemporaryFolder folder_;
   mutable std::string said_;
 };
 
 TEST_F(Certified, EveryKindHoldsInAnotherProgram) {
-  if (!can_check()) GTEST_SKIP() << "h5py is not installed";
+  KREISEL_NEEDS(can_check(), "h5py");
   const std::string quadric = "--formulation quadric --solver moment --certify ";
   for (const auto& [arguments, code, kind] :
        {std::tuple{"--model ellipsoid --resolution 40", 0, "spin"},
@@ -79,7 +78,7 @@ TEST_F(Certified, WhateverTheFormulation) {
 
 /// Each in a fresh copy: what proves nothing must not pass.
 TEST_F(Certified, WhatWasTamperedWithFails) {
-  if (!can_check()) GTEST_SKIP() << "h5py is not installed";
+  KREISEL_NEEDS(can_check(), "h5py");
   (void)run("--model ellipsoid --resolution 40 --formulation quadric --solver moment --certify");
   std::filesystem::copy_file(record(), folder_.path / "clean.h5");
   ASSERT_EQ(check().code, 0);
@@ -116,7 +115,7 @@ TEST_F(Certified, WhatWasTamperedWithFails) {
 
 /// What a top has beside: boxes of two sides, which have to cover all of them.
 TEST_F(Certified, ATopThatWasTamperedWithFails) {
-  if (!can_check()) GTEST_SKIP() << "h5py is not installed";
+  KREISEL_NEEDS(can_check(), "h5py");
   (void)run("--model ellipsoid --resolution 40 --formulation quadric --problem top --certify");
   std::filesystem::copy_file(record(), folder_.path / "clean.h5");
   ASSERT_EQ(check().code, 0) << check().out;

@@ -111,6 +111,12 @@ TEST_F(Design, PiecesLaidFlatLieOnTheirCutsBesideEachOther) {
   const nlohmann::json j = report();
   EXPECT_TRUE(j.at("after").at("ok").get<bool>()) << "of the pieces put together";
   ASSERT_EQ(j.at("files").size(), 4u);
+  for (const auto& [field, text] : {std::pair{"cut", "auto"},
+                                    {"pegs", "1"},
+                                    {"lay-flat", "true"},
+                                    {"wall-to", "corners"},
+                                    {"printer-accuracy", "0.4"}})
+    EXPECT_EQ(j.at("config").at(field), text) << "what reproduces the part";
   double end = -1;
   for (const auto& name : j.at("files")) {
     const TriangleMesh mesh = read_mesh(name.get<std::string>());

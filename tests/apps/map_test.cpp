@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/run_bench.hpp"
+#include "installed.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
@@ -20,8 +21,7 @@ class BenchMap : public ::testing::Test {
 
   /// Runs tests/record/map_h5py_test.py on a map.
   void expect_h5py_reads(const std::string& map) const {
-    if (std::system("/usr/bin/python3 -c 'import h5py' 2>/dev/null") != 0)
-      GTEST_SKIP() << "h5py is not installed";
+    KREISEL_NEEDS(imports("h5py"), "h5py");
     const BenchAnswer a =
         shell(fmt::format("/usr/bin/python3 '{}/tests/record/map_h5py_test.py' {}", KREISEL_SOURCE, map));
     EXPECT_EQ(a.code, 0) << a.out;
@@ -104,8 +104,7 @@ TEST_F(BenchMap, AreAnExperimentWithATableAndAPictureEach) {
   a = bench("show " + file("runs"));
   EXPECT_EQ(a.code, 0);
   EXPECT_NE(a.out.find("make it    bench --"), std::string::npos) << a.out;
-  if (std::system("/usr/bin/python3 -c 'import h5py, matplotlib' 2>/dev/null") != 0)
-    GTEST_SKIP() << "h5py or matplotlib is not installed";
+  KREISEL_NEEDS(imports("h5py, matplotlib"), "h5py or matplotlib");
   a = bench(fmt::format("report {} --results {} -o {}", file("maps.toml"), file("runs"), file("page.html")));
   ASSERT_EQ(a.code, 0) << a.out;
   std::ifstream stream(file("page.html"));

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "apps/installed.hpp"
 #include "apps/run_bench.hpp"
 #include "body/test_meshes.hpp"
+#include "installed.hpp"
 #include "mesh/io/write.hpp"
 #include "nest/known_answers.hpp"
 #include "temporary_folder.hpp"

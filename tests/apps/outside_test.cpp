@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "apps/installed.hpp"
 #include "apps/run_design.hpp"
+#include "installed.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {

@@ -8,8 +8,8 @@
 #include <iterator>
 #include <regex>
 
-#include "apps/installed.hpp"
 #include "apps/run_design.hpp"
+#include "installed.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {

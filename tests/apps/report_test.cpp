@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "apps/run_bench.hpp"
+#include "installed.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -47,10 +48,7 @@ class Report : public ::testing::Test {
     ran_ = bench(fmt::format("run {} --results {}", file("tiny.toml"), file("runs")));
   }
   static void TearDownTestSuite() { fs::remove_all(folder_); }
-  void SetUp() override {
-    if (std::system("/usr/bin/python3 -c 'import h5py, matplotlib' 2>/dev/null") != 0)
-      GTEST_SKIP() << "h5py or matplotlib is not installed";
-  }
+  void SetUp() override { KREISEL_NEEDS(imports("h5py, matplotlib"), "h5py or matplotlib"); }
   static std::string file(const std::string& name) { return (folder_ / name).string(); }
 
   static inline fs::path folder_;

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "apps/run_bench.hpp"
+#include "installed.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
@@ -59,8 +60,7 @@ TEST_F(BenchSimulate, ThePartSpinsWhereTheSolidDoesNotFromARecordAsFromItsMesh) 
   EXPECT_NEAR(from_mesh.at("part").at("spin").at("largest_tilt_degrees").get<double>(),
               part.at("largest_tilt_degrees").get<double>(), 0.01);
 
-  if (std::system("/usr/bin/python3 -c 'import h5py' 2>/dev/null") != 0)
-    GTEST_SKIP() << "h5py is not installed";
+  KREISEL_NEEDS(imports("h5py"), "h5py");
   const BenchAnswer h = shell(fmt::format("/usr/bin/python3 '{}/tests/record/simulation_h5py_test.py' {}",
                                           KREISEL_SOURCE, file("sim.h5")));
   EXPECT_EQ(h.code, 0) << h.out;

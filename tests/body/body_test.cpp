@@ -12,6 +12,7 @@
 #include "body/models/debian_meshes.hpp"
 #include "body/test_meshes.hpp"
 #include "error.hpp"
+#include "installed.hpp"
 #include "mesh/io/write.hpp"
 #include "refusal.hpp"
 #include "temporary_folder.hpp"
@@ -281,7 +282,7 @@ TEST(Body, RefusesAnUnknownModelAndNamesTheNearest) {
 }
 
 TEST(Body, OfARealMeshStandsUprightAtItsSize) {
-  if (!debian_meshes_installed()) GTEST_SKIP() << "libcgal-demo is not installed";
+  KREISEL_NEEDS(debian_meshes_installed(), "libcgal-demo");
   BodySpec spec;
   spec.model = "elephant";
   const Body body = make_body(spec, test_device());

@@ -11,6 +11,7 @@
 
 #include "body/models.hpp"
 #include "error.hpp"
+#include "installed.hpp"
 #include "mesh/solid/check.hpp"
 
 namespace kreisel::core {
@@ -105,7 +106,7 @@ TEST(DebianMeshes, HaveNamesOfTheirOwn) {
 }
 
 TEST(DebianMeshes, AreAllSolids) {
-  if (!debian_meshes_installed()) GTEST_SKIP() << "libcgal-demo is not installed";
+  KREISEL_NEEDS(debian_meshes_installed(), "libcgal-demo");
   for (const DebianMesh& m : debian_meshes())
     EXPECT_NO_THROW(require_solid(read_debian_mesh(m), m.name)) << m.name;
 }

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "error.hpp"
+#include "installed.hpp"
 #include "record/hdf5_file.hpp"
 #include "refusal.hpp"
 #include "temporary_folder.hpp"
@@ -469,8 +470,7 @@ TEST(RecordJson, CanBeDumpedWhateverBytesAPathHas) {
 /// A record for a reader of another language; where KREISEL_TEST_RECORD names a file it stays there.
 TEST_F(Record, IsReadByH5py) {
   const std::string python = "/usr/bin/python3";
-  if (std::system((python + " -c 'import h5py' 2>/dev/null").c_str()) != 0)
-    GTEST_SKIP() << python << " cannot import h5py";
+  KREISEL_NEEDS(imports("h5py"), "h5py");
   const char* kept = std::getenv("KREISEL_TEST_RECORD");
   const fs::path path = kept != nullptr && *kept != '\0' ? fs::path(kept) : folder_.path / "run.h5";
   const fs::path script = fs::path(KREISEL_SOURCE) / "tests/record/h5py_test.py";

@@ -1,12 +1,11 @@
 #include "mesh/query/distance.hpp"
 
-#include <embree3/rtcore.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
+
+#include "mesh/query/embree_scene.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -34,9 +33,14 @@ double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const V
 }
 
 struct SurfaceDistance::Scene {
+  explicit Scene(const TriangleMesh& of) : mesh(&of), embree(of) {
+    double largest = 0;
+    for (const Vec3& v : of.vertices) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+    margin = static_cast<float>(16 * largest) * std::numeric_limits<float>::epsilon();
+  }
+
   const TriangleMesh* mesh;
-  RTCDevice device = rtcNewDevice("threads=1");
-  RTCScene scene = nullptr;
+  EmbreeScene embree;
   float margin = 0;  ///< covers the rounding of the mesh and the query point to single precision
 };
 
@@ -60,35 +64,9 @@ struct SurfaceDistance::Query {
   }
 };
 
-SurfaceDistance::SurfaceDistance(const TriangleMesh& mesh) : scene_(std::make_unique<Scene>()) {
-  Scene& s = *scene_;
-  s.mesh = &mesh;
-  s.scene = rtcNewScene(s.device);
-  rtcSetSceneFlags(s.scene, RTC_SCENE_FLAG_ROBUST);
-  const RTCGeometry geometry = rtcNewGeometry(s.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
-  auto* triangles = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), mesh.triangles.size()));
-  if (!vertices || !triangles) throw std::bad_alloc();
-  double largest = 0;
-  for (const Vec3& v : mesh.vertices) {
-    for (int k = 0; k < 3; ++k) *vertices++ = static_cast<float>(v[k]);
-    largest = std::max(largest, v.cwiseAbs().maxCoeff());
-  }
-  for (const Triangle& t : mesh.triangles)
-    for (const std::uint32_t index : t) *triangles++ = index;
-  s.margin = static_cast<float>(16 * largest) * std::numeric_limits<float>::epsilon();
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(s.scene, geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(s.scene);
-}
+SurfaceDistance::SurfaceDistance(const TriangleMesh& mesh) : scene_(std::make_unique<Scene>(mesh)) {}
 
-SurfaceDistance::~SurfaceDistance() {
-  rtcReleaseScene(scene_->scene);
-  rtcReleaseDevice(scene_->device);
-}
+SurfaceDistance::~SurfaceDistance() = default;
 
 void SurfaceDistance::search(Query& query, double limit) const {
   RTCPointQuery embree{};
@@ -98,7 +76,7 @@ void SurfaceDistance::search(Query& query, double limit) const {
   embree.radius = static_cast<float>(limit) + scene_->margin;
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
-  rtcPointQuery(scene_->scene, &embree, &context, Query::visit, &query);
+  rtcPointQuery(scene_->embree.handle(), &embree, &context, Query::visit, &query);
 }
 
 double SurfaceDistance::operator()(const Vec3& point, double limit, double enough) const {

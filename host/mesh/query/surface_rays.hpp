@@ -27,8 +27,7 @@ class SurfaceRays {
                                          double most) const;
 
  private:
-  struct Scene;
-  std::unique_ptr<Scene> scene_;
+  std::unique_ptr<class EmbreeScene> scene_;
 };
 
 }  // namespace kreisel::core

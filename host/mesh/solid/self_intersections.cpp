@@ -1,7 +1,5 @@
 #include "mesh/solid/self_intersections.hpp"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,7 @@
 
 #include "geometry/predicates.hpp"
 #include "geometry/triangle_pair.hpp"
+#include "mesh/query/embree_scene.hpp"
 #include "mesh/query/equal_vertices.hpp"
 
 namespace kreisel::core {
@@ -77,19 +76,14 @@ std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh&
   Search search;
   number(mesh, search);
   if (search.triangles.empty()) return {};
-  const RTCDevice device = rtcNewDevice("threads=1");
-  const RTCScene scene = rtcNewScene(device);
-  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  EmbreeScene scene;
+  const RTCGeometry geometry = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, unsigned(search.triangles.size()));
   rtcSetGeometryUserData(geometry, &search);
   rtcSetGeometryBoundsFunction(geometry, set_bounds, nullptr);
   rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene, geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(scene);
-  rtcCollide(scene, scene, judge, &search);
-  rtcReleaseScene(scene);
-  rtcReleaseDevice(device);
+  scene.commit(geometry);
+  rtcCollide(scene.handle(), scene.handle(), judge, &search);
 
   std::sort(search.pairs.begin(), search.pairs.end());
   search.pairs.erase(std::unique(search.pairs.begin(), search.pairs.end()), search.pairs.end());

@@ -3,20 +3,21 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <random>
+#include <numbers>
 
 #include "nest/decide/bisection.hpp"
 #include "nest/decide/envelope.hpp"
 #include "nest/decide/exact.hpp"
 #include "nest/decide/hybrid.hpp"
 #include "nest/decide/peel.hpp"
+#include "nest/decide/random.hpp"
 
 namespace kreisel::core::nest {
 namespace {
 
 class Draw {
  public:
-  explicit Draw(std::uint64_t seed) : random_(seed) {}
+  explicit Draw(std::uint64_t seed) : seed_(seed) {}
 
   Placement operator()(const Nesting& nesting) {
     Placement placement;
@@ -33,17 +34,20 @@ class Draw {
  private:
   /// In the cube of side 1 about the origin.
   Vec3 point() {
-    std::uniform_real_distribution<double> uniform(-0.5, 0.5);
-    const double x = uniform(random_), y = uniform(random_), z = uniform(random_);
-    return {x, y, z};
+    const double x = next(), y = next(), z = next();
+    return Vec3(x, y, z) - Vec3::Constant(0.5);
   }
+  /// Uniform over all rotations. [Shoemake 1992, Uniform random rotations, Graphics Gems III]
   Eigen::Matrix3d rotation() {
-    std::normal_distribution<double> normal;
-    const double w = normal(random_), x = normal(random_), y = normal(random_), z = normal(random_);
-    return Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix();
+    const double share = next(), a = 2 * std::numbers::pi * next(), b = 2 * std::numbers::pi * next();
+    const double r = std::sqrt(1 - share), s = std::sqrt(share);
+    return Eigen::Quaterniond(s * std::cos(b), r * std::sin(a), r * std::cos(a), s * std::sin(b))
+        .toRotationMatrix();
   }
 
-  std::mt19937_64 random_;
+  double next() { return uniform(seed_, drawn_++); }
+
+  std::uint64_t seed_, drawn_ = 0;
 };
 
 SampledError summary(int resolution, std::vector<double> errors, int missed, double tolerance) {

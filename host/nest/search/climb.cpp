@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "nest/search/random.hpp"
+#include "nest/decide/random.hpp"
 
 namespace kreisel::core::nest {
 namespace {

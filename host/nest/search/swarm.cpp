@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "nest/search/random.hpp"
+#include "nest/decide/random.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel::core::nest {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "nest/search/random.hpp"
+#include "nest/decide/random.hpp"
 
 namespace kreisel::core::nest {
 namespace {

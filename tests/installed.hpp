@@ -13,6 +13,11 @@ inline bool installed(const std::string& program) {
   return std::system(fmt::format("command -v '{}' > /dev/null 2>&1", program).c_str()) == 0;
 }
 
+/// Whether Debian's Python has these modules: "h5py, numpy".
+inline bool imports(const std::string& modules) {
+  return std::system(fmt::format("/usr/bin/python3 -c 'import {}' 2>/dev/null", modules).c_str()) == 0;
+}
+
 }  // namespace kreisel::core
 
 /// Ends a test for which something is missing: skipped on a developer's machine, failed where KREISEL_CI is

@@ -1,0 +1,247 @@
+"""The Python library as a user has it: numpy in and out, sessions, parts, Ctrl-C, threads, records."""
+
+import os
+import pathlib
+import signal
+import tempfile
+import threading
+import time
+import unittest
+
+import numpy as np
+
+import kreisel as kr
+
+
+def box(edges=(40.0, 30.0, 24.0), centre=(0, 0, 0)):
+    """A closed box: vertices (8, 3), faces (12, 3)."""
+    corners = np.array([(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]) / 2
+    faces = np.array([(0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7),
+                      (0, 4, 2), (2, 4, 6), (1, 3, 5), (3, 7, 5)])
+    return corners * edges + centre, faces
+
+
+class Bodies(unittest.TestCase):
+    def test_moments_of_a_box_are_in_closed_form(self):
+        a, b, c = 40.0, 30.0, 24.0
+        s = kr.Body(*box((a, b, c), (1, 2, 3))).moments()
+        v = a * b * c
+        expected = [v, v, 2 * v, 3 * v, 2 * v, 6 * v, 3 * v,
+                    v * (1 + a * a / 12), v * (4 + b * b / 12), v * (9 + c * c / 12)]
+        np.testing.assert_allclose(s, expected, rtol=1e-13)
+
+    def test_the_mesh_is_a_read_only_view(self):
+        vertices, faces = box()
+        body = kr.Body(vertices, faces)
+        seen, triangles = body.mesh
+        self.assertEqual((seen.dtype, triangles.dtype), (np.float64, np.uint32))
+        self.assertFalse(seen.flags.owndata)
+        self.assertFalse(seen.flags.writeable)
+        del body  # the view keeps it
+        np.testing.assert_array_equal(seen, vertices)
+        np.testing.assert_array_equal(triangles, faces)
+
+    def test_any_array_layout_will_do(self):
+        vertices, faces = box()
+        for v, f in ((np.asfortranarray(vertices), faces.astype(np.int32)), (vertices.tolist(), faces.tolist())):
+            self.assertAlmostEqual(kr.Body(v, f).moments()[0], 40 * 30 * 24)
+        self.assertAlmostEqual(kr.Body(vertices.astype(np.float32), faces[:, ::1]).moments()[0], 40 * 30 * 24)
+
+    def test_what_is_no_solid_is_refused_in_one_line(self):
+        vertices, faces = box()
+        wrong = faces.copy()
+        wrong[3, 1] = -1
+        for v, f, says in ((vertices, faces[:-1], "watertight"), (vertices, wrong, "face 3 of the vertex -1"),
+                           (vertices[:, :2], faces, "vertices of shape 8 x 2"), (vertices * np.nan, faces, "")):
+            with self.assertRaises(kr.InputError) as caught:
+                kr.Body(v, f)
+            self.assertIn(says, str(caught.exception))
+            self.assertNotIn("\n", str(caught.exception))
+        with self.assertRaises(ValueError):
+            kr.Body.read("no-such-file.off")
+        with self.assertRaises(kr.Error):
+            kr.Body.model("ellipsoidd")
+
+
+class Sessions(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.body = kr.Body.model("ellipsoid")
+        cls.session = kr.Session(cls.body)
+
+    def test_a_question_makes_only_what_it_changes(self):
+        s = kr.Session(self.body)
+        first = s.solve("spin", wall=1.2, cells=32)
+        self.assertEqual(s.made, ["body", "domain", "problem", "formulation"])
+        self.assertEqual(first.end, "optimal")
+        again = s.solve(first.question)
+        self.assertEqual((s.made, again.objective), ([], first.objective))
+        s.solve(first.question, settings={"problem.gamma_i": 2})
+        self.assertEqual(s.made, ["problem"])
+        s.solve(first.question.replace(wall=1.6))
+        self.assertIn("domain", s.made)
+        turned = s.solve(first.question.replace(wall=1.6, axis=(0.1, 0, 1)))
+        self.assertEqual(s.made, ["pose", "problem"])
+        cold = kr.Session(self.body).solve(turned.question)
+        self.assertAlmostEqual(turned.objective, cold.objective, delta=0.02 * cold.objective)
+
+    def test_the_moments_and_the_quadric_are_those_of_the_optimum(self):
+        s = self.session
+        a = s.solve("spin", wall=1.2, cells=48, axis=(0.05, 0.02, 1))
+        mass, *first = a.moments[:4]
+        # The centre of mass lies on the axis through the contact point, the body frame's origin.
+        off = np.cross(np.array(first) / mass - a.origin, a.rotation[2])
+        self.assertLess(np.linalg.norm(off), 1e-6)
+        self.assertTrue(a.verdict)
+        self.assertEqual(a.quadric_body.shape, (10,))
+        with self.assertRaises(ValueError):
+            a.moments[0] = 1
+        # Turned by a session whose rays run along z, it is the quadric of a session whose rays run along the axis.
+        cold = kr.Session(self.body).solve(a.question).quadric_body
+        warm = kr.Session(self.body)
+        warm.solve("spin", wall=1.2, cells=48)
+        turned = warm.solve(a.question).quadric_body
+        self.assertEqual(warm.made, ["pose", "problem"])
+        np.testing.assert_allclose(turned / np.abs(turned).max(), cold / np.abs(cold).max(), atol=0.02)
+
+    def test_other_formulations_and_solvers_answer_too(self):
+        best = self.session.solve("spin", wall="1.5h", cells=40, domain="columns")
+        rays = self.session.solve("spin", wall="1.5h", cells=40, formulation="rayrep",
+                                  settings={"ipopt.hessian_approximation": "limited-memory"})
+        self.assertEqual(rays.end, "optimal")
+        self.assertIsNone(rays.quadric_body)
+        self.assertGreater(rays.variables.size, 100)
+        self.assertAlmostEqual(rays.objective, best.objective, delta=0.01)
+
+    def test_a_certificate_bounds_the_objective(self):
+        a = self.session.solve("spin", wall=1.2, cells=32, certify=1e-3)
+        self.assertLessEqual(a.bound, a.objective)
+        self.assertLess(a.objective - a.bound, 1.01e-3 * a.objective)
+        self.assertIsNone(self.session.solve("spin", wall=1.2, cells=32).bound)
+
+    def test_what_is_infeasible_says_why_and_what_would_help(self):
+        a = self.session.solve("spin", wall=8, cells=32, axis=(1, 0.4, 0.3))
+        self.assertEqual(a.end, "infeasible")
+        self.assertFalse(a.feasible)
+        self.assertTrue(a.unmet)
+        self.assertIn("wall", self.session.remedies(a))
+        with self.assertRaises(kr.InputError):
+            self.session.part(a)
+
+    def test_a_part_is_written_and_verified(self):
+        a = self.session.solve("spin", wall=1.2, cells=32)
+        part = self.session.part(a, accuracy=0.3)
+        self.assertTrue(part.verdict.ok)
+        self.assertGreaterEqual(part.wall_mm, 1.2 * (1 - 1e-6))
+        vertices, faces = part.meshes[0]
+        p = vertices[faces]
+        volume = np.einsum("ij,ij->i", p[:, 0], np.cross(p[:, 1], p[:, 2])).sum() / 6
+        self.assertAlmostEqual(volume * 1e-3, part.moments[0], delta=1e-5 * part.moments[0])
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("part.stl", "part.3mf", "part.off"):
+                files = part.write(os.path.join(folder, name))
+                self.assertTrue(kr.verify(files, self.body, a.question).ok, name)
+            with self.assertRaises(kr.InputError):
+                part.write(os.path.join(folder, "part.xyz"))
+            self.assertEqual(len(os.listdir(folder)), 3)
+        halves = self.session.part(a, cut="auto", pegs=1)
+        self.assertEqual({"lower", "upper", "peg-1"} - set(halves.names), set())
+
+    def test_a_map_finds_an_axis(self):
+        found = self.session.map("spin", axes=50, through="centre", wall=1.2, cells=24)
+        self.assertEqual(len(found), 50)
+        self.assertEqual(found.axes.shape, (50, 3))
+        best = found.best()
+        self.assertTrue(found.ok[best.index])
+        self.assertAlmostEqual(best.solution.objective, found.objective[best.index], places=5)
+
+    def test_a_question_that_does_not_fit_is_refused_in_one_line(self):
+        for fields in ({"wal": 2}, {"wall": "thick"}, {"wall": None}, {"cells": 1.5}, {"axis": (0, 0)},
+                       {"problem": "spim"}, {"formulation": "voxels"}, {"settings": {"draft": 1}},
+                       {"settings": {"problem.drat": 1}}, {"certify": 2}, {"size": -1}, {"density": "x"}):
+            with self.assertRaises(kr.InputError, msg=fields) as caught:
+                self.session.solve(kr.Question("spin", cells=16), **fields)
+            self.assertNotIn("\n", str(caught.exception))
+        self.assertEqual(self.session.solve("spin", cells=16).end, "optimal")
+
+    def test_threads_give_the_same_bits(self):
+        def answers(session):
+            return [session.solve("spin", cells=24, settings={"problem.gamma_i": 1 + i % 5}).objective
+                    for i in range(25)]
+
+        alone, together = answers(kr.Session(self.body)), {}
+        threads = [threading.Thread(target=lambda t=t: together.update({t: answers(kr.Session(self.body))}))
+                   for t in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(list(together.values()), [alone] * 4)
+
+    def test_ctrl_c_stops_a_solve_and_leaves_the_session_usable(self):
+        timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        began = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            self.session.map("spin", axes=1000000, cells=48)
+        self.assertLess(time.monotonic() - began, 1.5)
+        self.assertEqual(self.session.solve("spin", cells=24).end, "optimal")
+
+    def test_a_call_costs_little(self):
+        question = self.session.solve("spin", cells=16).question
+        spent = []
+        for _ in range(200):
+            began = time.perf_counter()
+            answer = self.session.solve(question)
+            spent.append(time.perf_counter() - began - answer.setup_seconds - answer.solve_seconds)
+        print(f"around a solve: {1e6 * np.median(spent):.0f} us")
+
+
+class Nests(unittest.TestCase):
+    def test_a_box_in_itself_nests_as_a_smaller_one(self):
+        body = kr.Body(*box((40, 40, 40)))
+        told = []
+        found = kr.nest(body, body, free="all", seconds=20, iterations=5, particles=8,
+                        on_iteration=lambda it: told.append(it.scale))
+        self.assertTrue(found.valid)
+        self.assertGreater(found.certified_scale, 0.9)
+        self.assertTrue(told)
+        self.assertEqual(found.transform.shape, (3, 4))
+
+    def test_the_callback_ends_a_search_and_keeps_the_best(self):
+        body = kr.Body(*box((40, 40, 40)))
+        calls = []
+
+        def two(iteration):
+            calls.append(iteration.iteration)
+            return len(calls) < 2
+
+        found = kr.nest(body, free="all", seconds=60, on_iteration=two)
+        self.assertEqual(len(calls), 2)
+        self.assertGreater(found.scale, 0)
+
+        def broken(_):
+            raise RuntimeError("mine")
+
+        with self.assertRaisesRegex(RuntimeError, "mine"):
+            kr.nest(body, free="all", seconds=60, on_iteration=broken)
+
+    def test_wrong_fields_are_refused(self):
+        body = kr.Body(*box())
+        for fields in ({"fre": "all"}, {"within": "bunny"}, {"layers": 2}):
+            with self.assertRaises(kr.InputError):
+                kr.nest(body, **fields)
+
+
+class Records(unittest.TestCase):
+    def test_folders_without_records_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaises(kr.BadRecord):
+                kr.records(folder)
+            pathlib.Path(folder, "x.h5").write_bytes(b"no HDF5")
+            with self.assertRaises(kr.BadRecord):
+                kr.records(folder)
+
+
+if __name__ == "__main__":
+    unittest.main()
