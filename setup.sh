@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that Kreisel builds and runs with; skips what is there, and uses sudo only when
 # not root.   ./setup.sh          what is needed to build, run, test and plot
-#             ./setup.sh --ci     and what only CI needs (formatting, a slicer, a browser)
+#             ./setup.sh --python and what the Python library is built with
+#             ./setup.sh --ci     and what only CI needs, too (formatting, a slicer, a browser, notebooks)
 set -euo pipefail
 
 packages=(
@@ -20,10 +21,14 @@ packages=(
   libjs-three                                                         # the pages of `design --html`
   admesh libcgal-dev                                                  # look at written meshes, in tests alone
 )
+python=(pybind11-dev python3-dev)
+ci=(clang-format prusa-slicer chromium                                # slicer and browser: 800 MB, for two tests
+    python3-nbconvert python3-ipykernel)
 case "${1:-}" in
   "") ;;
-  --ci) packages+=(clang-format prusa-slicer chromium) ;;              # slicer and browser: 800 MB, for two tests
-  *) echo "setup.sh: unknown option '$1'; expected --ci or nothing" >&2; exit 2 ;;
+  --python) packages+=("${python[@]}") ;;
+  --ci) packages+=("${python[@]}" "${ci[@]}") ;;
+  *) echo "setup.sh: unknown option '$1'; expected --python, --ci or nothing" >&2; exit 2 ;;
 esac
 
 missing=()

@@ -19,12 +19,12 @@ def read(path):
         with h5py.File(path, "r") as file:
             if file.attrs.get("schema") != SCHEMA or not 1 <= file.attrs.get("schema_version", 0) <= NEWEST:
                 raise records.BadRecord(f"{path}: not a nesting, expected schema = {SCHEMA}, version 1 to {NEWEST}")
-            found = {"path": path, **records._attributes(file)}
+            found = {"path": path, **records.attributes(file)}
             for name, node in file.items():
                 if isinstance(node, h5py.Dataset):
                     found[name] = node[...]
                 else:
-                    found[name] = {**records._attributes(node), **records._tables(node, ())}
+                    found[name] = {**records.attributes(node), **records.tables(node, ())}
             return found
     except OSError:
         reason = "not readable as HDF5" if path.exists() else "no such file"

@@ -9,7 +9,8 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "python"))  # the reader of records is the Python library's
 
-from kreisel._records import (BadRecord, is_map, is_nesting, read, read_folder, schema_of)  # noqa: E402, F401
+from kreisel._records import (BadRecord, attributes, is_map, is_nesting, read, read_folder, schema_of,
+                              tables)  # noqa: E402, F401
 
 
 def with_results(found):

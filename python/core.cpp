@@ -5,49 +5,58 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+#include <unistd.h>
 
-#include <atomic>
 #include <csignal>
 #include <kreisel/kreisel.hpp>
-#include <thread>
+
+#include "question.hpp"
 
 namespace py = pybind11;
 using namespace kreisel;
+using namespace kreisel::python;
 
 namespace {
 
 /// Ctrl-C during a call of the main thread asks the call to stop; Python hears of it, too. Nobody registers a
 /// callback with the source, so that to ask is no more than an atomic operation.
+/// A call inside another's callback stops with that.
 class StopOnInterrupt {
  public:
-  StopOnInterrupt() : main_(std::this_thread::get_id() == main_thread) {
-    if (!main_) return;
-    current = &source_;
-    struct sigaction ours {};
-    ours.sa_handler = on_signal;
-    sigaction(SIGINT, &ours, &previous);
+  StopOnInterrupt() {
+    const bool main = ::gettid() == ::getpid();  // the thread that Python handles signals in
+    if (!main) return;
+    outermost_ = calls++ == 0;
+    inside_ = true;
+    if (outermost_) {
+      source = {};
+      struct sigaction ours {};
+      ours.sa_handler = on_signal;
+      sigaction(SIGINT, &ours, &previous);
+      if (previous.sa_handler == SIG_IGN) sigaction(SIGINT, &previous, nullptr);
+    }
+    token_ = source.get_token();
   }
   ~StopOnInterrupt() {
-    if (!main_) return;
-    sigaction(SIGINT, &previous, nullptr);
-    current = nullptr;
+    if (!inside_) return;
+    --calls;
+    if (outermost_) sigaction(SIGINT, &previous, nullptr);
   }
   StopOnInterrupt(const StopOnInterrupt&) = delete;
   StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
 
-  [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
-
-  static inline std::thread::id main_thread = std::this_thread::get_id();
+  [[nodiscard]] std::stop_token token() const { return token_; }
 
  private:
   static void on_signal(int number) {
-    if (std::stop_source* asked = current) asked->request_stop();
+    source.request_stop();
     if (previous.sa_handler != SIG_IGN && previous.sa_handler != SIG_DFL) previous.sa_handler(number);
   }
 
-  bool main_;
-  std::stop_source source_;
-  static inline std::atomic<std::stop_source*> current = nullptr;
+  bool inside_ = false, outermost_ = false;
+  std::stop_token token_;
+  static inline int calls = 0;  ///< of the main thread, one inside the other
+  static inline std::stop_source source;
   static inline struct sigaction previous {};
 };
 
@@ -119,124 +128,6 @@ py::array view_of(const Moments& moments, const py::object& owner) {
   return view;
 }
 
-std::string text_of(const py::handle& value) {
-  return py::isinstance<py::str>(value) ? value.cast<std::string>() : py::repr(value).cast<std::string>();
-}
-
-/// A number as text, or three of them, as fields are written: "60", "0,0,1".
-std::string field_text(const py::handle& value) {
-  if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value)) {
-    if (py::isinstance<py::str>(value)) return value.cast<std::string>();
-    if (PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr())) return text_of(value);
-    if (py::hasattr(value, "tolist")) return field_text(value.attr("tolist")());
-    return text_of(value);
-  }
-  std::string text;
-  for (const py::handle part : value) text += (text.empty() ? "" : ",") + text_of(part);
-  return text;
-}
-
-template <class T>
-T value_of(const std::string& key, const py::handle& value, const char* expected) {
-  try {
-    return value.cast<T>();
-  } catch (const py::cast_error&) {
-    throw InputError(key + " = " + text_of(value) + "; expected " + expected);
-  }
-}
-
-void set_cells(Question& q, const py::handle& value) {
-  if (py::isinstance<py::int_>(value) || py::hasattr(value, "__index__"))
-    q.domain.cells = {value_of<int>("cells", value, "a whole number, or three"), 0, 0};
-  else
-    q.domain.cells = value_of<std::array<int, 3>>("cells", value, "a whole number, or three");
-}
-
-void set_wall(Question& q, const py::handle& value) {
-  const bool text = py::isinstance<py::str>(value);
-  q.domain.wall = text ? value.cast<std::string>() : "";
-  if (!text) q.domain.wall_mm = value_of<double>("wall", value, "mm, or text: \"2%\", \"1.5h\"");
-}
-
-void set_settings(Question& q, const py::handle& value) {
-  for (const auto& [name, text] : value_of<py::dict>("settings", value, "a dict")) {
-    const std::string key = name.cast<std::string>();
-    const std::size_t dot = key.find('.');
-    const std::string group = key.substr(0, dot), rest = dot == std::string::npos ? "" : key.substr(dot + 1);
-    if (rest.empty()) throw InputError("settings: '" + key + "'; expected GROUP.NAME, such as problem.draft");
-    if (group == "problem")
-      q.problem.settings[rest] = field_text(text);
-    else if (group == "formulation")
-      q.formulation.settings[rest] = field_text(text);
-    else
-      q.solver.settings[key] = field_text(text);
-  }
-}
-
-using Setter = void (*)(Question&, const py::handle&);
-using Optional = std::optional<double>;
-
-const std::map<std::string, Setter>& setters() {
-  using H = const py::handle&;
-  static const std::map<std::string, Setter> all = {
-      {"problem", [](Question& q, H v) { q.problem.name = value_of<std::string>("problem", v, "a name"); }},
-      {"formulation",
-       [](Question& q, H v) { q.formulation.name = value_of<std::string>("formulation", v, "a name"); }},
-      {"solver", [](Question& q, H v) { q.solver.name = value_of<std::string>("solver", v, "a name"); }},
-      {"domain", [](Question& q, H v) { q.domain.kind = value_of<std::string>("domain", v, "a name"); }},
-      {"settings", set_settings},
-      {"axis",
-       [](Question& q, H v) { q.pose.axis = value_of<std::optional<Vec3>>("axis", v, "three numbers"); }},
-      {"up", [](Question& q, H v) { q.pose.up = value_of<std::optional<Vec3>>("up", v, "three numbers"); }},
-      {"contact",
-       [](Question& q, H v) {
-         q.pose.contact = value_of<std::optional<Vec3>>("contact", v, "three numbers, mm");
-       }},
-      {"size", [](Question& q, H v) { q.pose.size = value_of<Optional>("size", v, "mm"); }},
-      {"axle", [](Question& q, H v) { q.pose.axle = value_of<Optional>("axle", v, "mm"); }},
-      {"slot", [](Question& q, H v) { q.pose.slot = value_of<Optional>("slot", v, "mm"); }},
-      {"axle_depth", [](Question& q, H v) { q.pose.axle_depth = value_of<Optional>("axle_depth", v, "mm"); }},
-      {"density", [](Question& q, H v) { q.densities.shell = value_of<double>("density", v, "g/cm^3"); }},
-      {"interior_density",
-       [](Question& q, H v) { q.densities.interior = value_of<Optional>("interior_density", v, "g/cm^3"); }},
-      {"void_density",
-       [](Question& q, H v) { q.densities.filling = value_of<double>("void_density", v, "g/cm^3"); }},
-      {"wall", set_wall},
-      {"cells", set_cells},
-      {"certify",
-       [](Question& q, H v) { q.certify = value_of<double>("certify", v, "a gap, such as 1e-3"); }},
-  };
-  return all;
-}
-
-Question replaced(Question question, const py::kwargs& fields) {
-  for (const auto& [key, value] : fields) {
-    const auto setter = setters().find(key.cast<std::string>());
-    if (setter == setters().end()) {
-      std::string names;
-      for (const auto& [name, unused] : setters()) names += (names.empty() ? "" : ", ") + name;
-      throw InputError("question: no field '" + key.cast<std::string>() + "'; expected one of: " + names);
-    }
-    setter->second(question, value);
-  }
-  return question;
-}
-
-/// A question, or the name of its problem, and what differs from it.
-Question question_of(const py::object& asked, const py::kwargs& fields) {
-  if (py::isinstance<Question>(asked)) return replaced(asked.cast<Question>(), fields);
-  Question question;
-  question.problem.name = value_of<std::string>("problem", asked, "a name, or a Question");
-  return replaced(std::move(question), fields);
-}
-
-std::string repr_of(const Question& q) {
-  return "Question(problem='" + q.problem.name + "', formulation='" + q.formulation.name +
-         "', cells=" + std::to_string(q.domain.cells[0]) +
-         ", wall=" + (q.domain.wall.empty() ? std::to_string(q.domain.wall_mm) : "'" + q.domain.wall + "'") +
-         ")";
-}
-
 const char* name_of(Solution::End end) {
   switch (end) {
     case Solution::End::optimal:
@@ -287,7 +178,6 @@ Nesting nested(const py::object& outer, const py::object& inner, const py::objec
 
 PYBIND11_MODULE(_core, m) {
   m.doc() = "Kreisel's compiled part. Use the package kreisel.";
-  StopOnInterrupt::main_thread = std::this_thread::get_id();
 
   static py::exception<Error> error(m, "Error", PyExc_RuntimeError);
   static py::exception<InputError> input_error(m, "InputError",

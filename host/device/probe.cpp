@@ -11,6 +11,7 @@
 
 #include "device/buffer.hpp"
 #include "device/program.hpp"
+#include "statistics.hpp"
 #include "stopwatch.hpp"
 
 namespace kreisel::core::device {
@@ -19,11 +20,6 @@ namespace {
 constexpr int launches = 7;
 constexpr std::size_t work_group = 64;
 constexpr int read_block = 1 << 15;  // elements a work-group sums: a few hundred kilobytes
-
-double median_of(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
 
 double seconds_of(Device& device, const cl::Kernel& kernel, std::size_t items, std::size_t group) {
   device.reset_kernel_seconds();
@@ -41,7 +37,7 @@ double median_rate(Rate&& rate) {
     const double value = rate();
     if (i > 0) rates.push_back(value);
   }
-  return median_of(std::move(rates));
+  return median(std::move(rates));
 }
 
 constexpr int rounds = 10000;  // of 64 multiply-adds, 2 flops each
@@ -85,7 +81,7 @@ double on_all_threads(const std::function<void(unsigned)>& work) {
     }
     if (i > 0) seconds.push_back(watch.seconds());
   }
-  return median_of(std::move(seconds));
+  return median(std::move(seconds));
 }
 
 constexpr int chains = 64;

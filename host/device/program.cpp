@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -31,7 +32,8 @@ std::optional<Binary> read_binary(const std::filesystem::path& path) {
 void write_binary(const std::filesystem::path& path, const Binary& binary) {
   std::error_code ignored;
   std::filesystem::create_directories(path.parent_path(), ignored);
-  const std::filesystem::path temporary = path.string() + fmt::format(".{}", ::getpid());
+  static std::atomic<int> count = 0;  // several threads may build one kernel
+  const std::filesystem::path temporary = path.string() + fmt::format(".{}-{}", ::getpid(), count++);
   std::ofstream out(temporary, std::ios::binary);
   out.write(reinterpret_cast<const char*>(binary.data()), static_cast<std::streamsize>(binary.size()));
   out.close();

@@ -133,8 +133,9 @@ fs::path program_beside(const char* name) {
                  installed = here.parent_path() / KREISEL_LIBEXEC;
   for (const fs::path& folder : {here, installed})
     if (fs::exists(folder / name, ignored)) return folder / name;
-  throw InputError(fmt::format("{}: no such file, nor in {}; expected the program {}", (here / name).string(),
-                               installed.string(), name));
+  throw InputError(
+      fmt::format("{}: no such file, nor in {}; expected the program {} (cmake --build FOLDER makes it)",
+                  (here / name).string(), installed.string(), name));
 }
 
 }  // namespace kreisel::core

@@ -9,6 +9,7 @@
 
 #include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
+#include "statistics.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -34,14 +35,13 @@ std::vector<TaskRuns> tasks_of(const std::vector<RecordedRun>& runs) {
 Cell spread(std::vector<double> values, int digits) {
   if (values.empty()) return Cell::none();
   std::ranges::sort(values);
-  const std::size_t half = values.size() / 2;
-  const double median = values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
+  const double middle = median(values);
   const std::string range =
       values.front() == values.back()
           ? ""
           : fmt::format(" [{:.{}f}, {:.{}f}]", values.front(), digits, values.back(), digits);
-  return {fmt::format("{:.{}f}{}", median, std::fmod(2 * median, 2) == 1 && digits == 0 ? 1 : digits, range),
-          fmt::format("{}", median)};
+  return {fmt::format("{:.{}f}{}", middle, std::fmod(2 * middle, 2) == 1 && digits == 0 ? 1 : digits, range),
+          fmt::format("{}", middle)};
 }
 
 std::vector<Cell> cells_of(const TaskRuns& task) {

@@ -134,11 +134,9 @@ struct KREISEL_API Map {
 /// A body with its domain, kept between questions. One thread at a time; two sessions in two threads are
 /// independent. Solves by Ipopt wait for each other: MUMPS of Debian 12 is not re-entrant.
 ///
-///     changed                               made anew
-///     weight, target, draft                 problem
-///     densities                             pose, problem
-///     axis, contact, up                     pose, problem (quadric on exact rays); else domain, formulation,
-///     too wall, cells, kind                     domain, formulation size body, domain, problem, formulation
+/// A weight, target or draft makes the problem anew; densities pose and problem; axis, contact and up these
+/// two (of the quadric on exact rays with a wall in mm and no certificate; else the domain and formulation,
+/// too); wall, cells and kind domain and formulation; size all but the mesh. [docs/library.md]
 class KREISEL_API Session {
  public:
   explicit Session(Body body, const Device& device = Device());

@@ -1,5 +1,6 @@
 #include "kreisel/nest.hpp"
 
+#include "library/state.hpp"
 #include "run/nest_run.hpp"
 
 namespace kreisel {
@@ -23,7 +24,8 @@ Nesting nest(const Mesh& outer, const Mesh& inner, const std::map<std::string, s
     hooks.on_iteration = [&](const core::nest::SearchState& state) {
       return on_iteration(static_cast<int>(state.trace.size()), state.scale);
     };
-  const core::NestResult found = core::run_nest(config, hooks);
+  const core::NestResult found = translated([&] { return core::run_nest(config, hooks); });
+  control.stop_if_asked();
   Nesting nesting;
   nesting.valid = found.valid;
   nesting.scale = found.scale;

@@ -6,6 +6,7 @@
 #include "library/config_of.hpp"
 #include "library/state.hpp"
 #include "mesh/io/encode.hpp"
+#include "mesh/io/read.hpp"
 
 namespace kreisel {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 /// Which material a file holds goes by its name, as file_of_part() gives it.
 core::WrittenMaterial material_of(const std::filesystem::path& file, const core::Body& body) {
   const std::string stem = file.stem().string();
+  if (body.one_material() && body.void_density == 0) return {"part", body.density, file};
   if (stem.ends_with("-filling")) return {"filling", body.void_density, file};
   if (stem.ends_with("-interior")) return {"interior", body.interior_density, file};
   return {"part", body.density, file};
@@ -38,6 +40,7 @@ Part part_of(const core::Design& design) {
 }
 
 std::vector<std::filesystem::path> Part::write(const std::filesystem::path& file) const {
+  if (!state) throw InputError("an empty part; expected one of Session::part");
   std::vector<std::filesystem::path> files;
   for (const core::WrittenMaterial& material : core::write_parts(file, state->solids))
     if (files.empty() || files.back() != material.file) files.push_back(material.file);
@@ -51,7 +54,13 @@ Verdict verify(const std::vector<std::filesystem::path>& files, const Body& body
   const core::Body solid = core::make_body(asked.posed(config.body), *body.state_);
   const auto problem = asked.make(core::settings_of(config, "problem"), solid);
   std::vector<core::WrittenMaterial> materials;
-  for (const std::filesystem::path& file : files) materials.push_back(material_of(file, solid));
+  for (const std::filesystem::path& file : files) {
+    const std::size_t objects = core::read_objects(file).size();
+    if (objects > 1 && !(solid.one_material() && solid.void_density == 0))
+      throw InputError(fmt::format("{}: {} objects of several materials; expected a file each, as STL",
+                                   file.string(), objects));
+    materials.insert(materials.end(), objects, material_of(file, solid));
+  }
   return core::verify_written(std::move(materials), solid, *problem).verdict;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -42,6 +43,17 @@ Moments quadric_in(const core::Frame& to, const core::Frame& from, const std::ve
   return map.transpose().partialPivLu().solve(q);
 }
 
+/// What cannot be met, one by one: parts between "; ".
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find("; ", at), text.size());
+    parts.push_back(text.substr(at, end - at));
+    at = end + 2;
+  }
+  return parts;
+}
+
 Solution solution_of(const Question& question, const core::SolvedRun& run) {
   const RunResult& r = run.result;
   const core::Frame& frame = run.stages().pose->frame;
@@ -55,7 +67,7 @@ Solution solution_of(const Question& question, const core::SolvedRun& run) {
   s.variables = r.outcome.x;
   if (run.stages().formulation->name() == "quadric") s.quadric_body = quadric_in(frame, r.frame, r.outcome.x);
   if (r.certificate && std::isfinite(r.certificate->bound)) s.bound = r.certificate->bound;
-  if (!r.infeasibility.empty()) s.unmet = {r.infeasibility};
+  s.unmet = parts_of(r.infeasibility);
   if (s.feasible()) s.verdict = run.problem().verify(r.outcome.moments, r.length_mm);
   s.rotation = frame.rotation;
   s.origin = frame.origin;
@@ -68,37 +80,45 @@ Solution solution_of(const Question& question, const core::SolvedRun& run) {
 }  // namespace
 
 Device::Device(const std::string& selector)
-    : state_(std::make_shared<const State>(State{core::device::Device(selector)})) {}
+    : state_(
+          translated([&] { return std::make_shared<const State>(State{core::device::Device(selector)}); })) {}
 
 std::string Device::name() const { return state_->device.info().name; }
 
 Session::Session(Body body, const Device& device)
-    : state_(std::make_unique<State>(
-          State{body,
-                core::Session(body.state_,
-                              std::make_shared<core::device::Device>(device.state_->device.with_own_queue())),
-                {}})) {}
+    : state_(translated([&] {
+        auto own = std::make_shared<core::device::Device>(device.state_->device.with_own_queue());
+        return std::make_unique<State>(body.state_, std::move(own));
+      })) {}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
 Solution Session::solve(const Question& question, const Control& control) {
-  core::SolvedRun run(state_->session, core::config_of(question), control, core::Along::any_axis);
-  state_->note_made();
-  run.solve(control);
-  if (question.certify > 0) run.certify(control);
-  return solution_of(question, run);
+  return state_->asked([&] {
+    // Certificates know problems in the frame of their rays alone.
+    const core::Along rays = question.certify > 0 ? core::Along::own_axis : core::Along::any_axis;
+    core::SolvedRun run(state_->session, core::config_of(question), control, rays);
+    run.solve(control);
+    if (question.certify > 0) run.certify(control);
+    return solution_of(question, run);
+  });
 }
 
 std::string Session::remedies(const Solution& solution, const Control& control) {
   if (solution.end != Solution::End::infeasible) return {};
-  const core::RunConfig config = core::config_of(solution.question);
-  const core::Stages stages = state_->session.stages(config, control);
-  state_->note_made();
-  return core::what_would_help(config, *stages.body, *stages.problem, *stages.device, control);
+  return state_->asked([&] {
+    const core::RunConfig config = core::config_of(solution.question);
+    const core::Stages stages = state_->session.stages(config, control);
+    return core::what_would_help(config, *stages.body, *stages.problem, *stages.device, control);
+  });
 }
 
 Part Session::part(const Solution& solution, const PartSpec& spec, const Control& control) {
+  if (!solution.feasible())
+    throw InputError(fmt::format("a part of what is {}: {}; expected a solution that is feasible",
+                                 solution.end == Solution::End::infeasible ? "infeasible" : "not solved",
+                                 solution.unmet.empty() ? solution.message : solution.unmet.front()));
   core::DesignSpec design;
   design.config = core::config_of(solution.question);
   design.config.certify = 0;
@@ -107,12 +127,15 @@ Part Session::part(const Solution& solution, const PartSpec& spec, const Control
   design.peg_radius = spec.pegs;
   design.drain_radius = spec.drain;
   design.lay_flat = spec.lay_flat;
-  const core::Design made = core::make_design(state_->session, design, control);
-  state_->note_made();
-  if (!made.feasible())
-    throw InputError(fmt::format("a part of what is infeasible: {}; expected a question that can be met",
-                                 made.run.infeasibility));
-  return part_of(made);
+  return state_->asked([&] {
+    const core::Design made = core::make_design(state_->session, design, control);
+    if (!made.feasible())
+      throw InputError(
+          fmt::format("a part about an axis that is infeasible along its own rays: {}; expected "
+                      "another axis, or more cells",
+                      made.run.infeasibility));
+    return part_of(made);
+  });
 }
 
 Map Session::map(const Question& question, int axes, bool centre, const Control& control) {
@@ -125,8 +148,8 @@ Map Session::map(const Question& question, int axes, bool centre, const Control&
     const auto draft = question.problem.settings.find("draft");
     spec.drafts = {draft == question.problem.settings.end() ? "60%" : draft->second};
   }
-  const core::OrientationMap found = core::map_orientations(state_->session, spec, control);
-  state_->note_made();
+  const core::OrientationMap found =
+      state_->asked([&] { return core::map_orientations(state_->session, spec, control); });
   control.stop_if_asked();
   Map map;
   map.asked = question;

@@ -1,6 +1,10 @@
 // state.hpp - what the handles of the public headers hold.
 #pragma once
 
+#include <mutex>
+#include <new>
+#include <stdexcept>
+
 #include "body/source.hpp"
 #include "design/design.hpp"
 #include "kreisel/session.hpp"
@@ -14,12 +18,39 @@ struct Device::State {
 
 struct Body::State : core::Source {};
 
+/// Runs `work`; what the host throws beside errors of ours becomes one.
+template <class Work>
+auto translated(const Work& work) {
+  try {
+    return work();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw Error("not enough memory; expected more, fewer cells or a mesh of fewer triangles");
+  } catch (const std::runtime_error& error) {  // of OpenCL, or too little memory for it
+    throw Error(error.what());
+  }
+}
+
 struct Session::State {
-  Body body;
+  State(std::shared_ptr<const core::Source> solid, std::shared_ptr<core::device::Device> device)
+      : session(std::move(solid), std::move(device)) {}
+
+  /// One question; says what it made, whatever came of it.
+  template <class Work>
+  auto asked(const Work& work) {
+    const std::unique_lock alone(busy, std::try_to_lock);
+    if (!alone) throw Error("a session asked by two threads at once; expected a session for each");
+    struct Note {
+      State& state;
+      ~Note() { state.made.assign(state.session.made().begin(), state.session.made().end()); }
+    } const note{*this};
+    return translated(work);
+  }
+
   core::Session session;
   std::vector<std::string> made;
-
-  void note_made() { made.assign(session.made().begin(), session.made().end()); }
+  std::mutex busy;
 };
 
 struct Part::State {

@@ -8,6 +8,7 @@
 #include "nest/decide/exact.hpp"
 #include "nest/decide/scale_search.hpp"
 #include "run/nest_parts.hpp"
+#include "statistics.hpp"
 #include "stopwatch.hpp"
 
 namespace kreisel::core {
@@ -226,8 +227,7 @@ class Run {
       work();
       if (i > 0) ms.push_back(1e3 * watch.seconds());
     }
-    std::ranges::nth_element(ms, ms.begin() + config_.timings / 2);
-    return ms[static_cast<std::size_t>(config_.timings) / 2];
+    return median(std::move(ms));
   }
 
   const NestConfig& config_;

@@ -25,6 +25,8 @@ std::string other_axes(Session& session, const RunConfig& config, const Vec3& as
   coarse.grid.resolution = 48;
   coarse.formulation = "quadric";
   coarse.solver.clear();
+  coarse.domain.clear();
+  std::erase_if(coarse.settings, [](const auto& setting) { return !setting.first.starts_with("problem."); });
   coarse.body.contact.reset();
   coarse.map.emplace();
   coarse.map->axes = 500;

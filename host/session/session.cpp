@@ -98,8 +98,13 @@ std::shared_ptr<const Session::Laid> Session::domain_of(const RunConfig& questio
                                                         const std::shared_ptr<const Body>& pose, Along rays) {
   DomainKey key{body_.value(), pose->axis,   pose->contact, kreisel::core::domain_of(question),
                 question.grid, question.wall};
-  const bool turns = rays == Along::any_axis && key.kind == "exact" && question.formulation == "quadric" &&
-                     question.problem != "balance" && !pose->axle;
+  if (key.kind == "exact") key.wall.to_corners = false;  // of voxels
+  // What is said in cells, or of the longest side, is another length in another frame.
+  const bool in_any_frame = question.wall.unit == Wall::millimetres && !question.grid.cells;
+  // A form with variables of its own is refused by its solver, turned or not.
+  const bool turns = rays == Along::any_axis && in_any_frame && key.kind == "exact" &&
+                     question.formulation == "quadric" && question.problem != "balance" && !pose->axle &&
+                     !question.settings.contains("problem.form");
   if (turns && domain_.key()) {
     DomainKey as_laid = key;
     as_laid.axis = domain_.key()->axis;

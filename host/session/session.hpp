@@ -47,8 +47,8 @@ enum class Along { any_axis, own_axis };
 ///                                    \-> problem (turned, where the rays keep another axis)
 ///
 /// Weights, targets and drafts make a problem; densities a pose; an axis, contact point or base a pose and a
-/// problem, the rays stay (of the quadric on exact rays); a wall or grid the domain and what stands on it; a
-/// size, unit or axle everything but the file.
+/// problem, the rays stay (of the quadric on exact rays with a wall in mm); a wall or grid the domain and
+/// what stands on it; a size, unit or axle everything but the file.
 ///
 /// One thread at a time. Two sessions in two threads are independent: each has its own queue and kernels.
 class Session {
@@ -66,7 +66,7 @@ class Session {
                               Along rays = Along::own_axis);
 
   /// The stages that the last question made anew, in their order: device, mesh, body, pose, domain,
-  /// formulation, problem.
+  /// problem, formulation.
   [[nodiscard]] const std::vector<std::string_view>& made() const { return made_; }
   /// Of the device in use. @pre  stages() was called
   [[nodiscard]] const Provenance& provenance();

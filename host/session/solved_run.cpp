@@ -8,15 +8,10 @@
 
 #include "session/remedies.hpp"
 #include "solve/explain.hpp"
+#include "statistics.hpp"
 
 namespace kreisel::core {
 namespace {
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t n = values.size();
-  return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
-}
 
 Seconds medians(const std::vector<Seconds>& samples) {
   const auto column = [&](double Seconds::*field) {

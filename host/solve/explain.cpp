@@ -41,7 +41,7 @@ class Relaxed final : public Problem {
 std::vector<double> least_misses(const SolverEntry& solver, const Task& task, const SolverOptions& options,
                                  const std::vector<Eigen::Index>& rows) {
   const Relaxed relaxed(task.problem, rows);
-  const Outcome best = solver.solve({relaxed, task.formulation, task.mass, task.device}, options);
+  const Outcome best = solver.solve({relaxed, task.formulation, task.mass, task.device, task.stop}, options);
   const LinearConstraints& c = relaxed.constraints();
   const Eigen::VectorXd value = c.matrix * best.moments;
   std::vector<double> misses;

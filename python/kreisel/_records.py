@@ -13,11 +13,11 @@ class BadRecord(Exception):
     """A file or folder that is not what was asked for; the text is one line."""
 
 
-def _attributes(node):
+def attributes(node):
     return {name: value.item() if hasattr(value, "item") else value for name, value in node.attrs.items()}
 
 
-def _tables(group, but):
+def tables(group, but):
     return {name: node[...] for name, node in group.items()
             if isinstance(node, h5py.Dataset) and name not in but}
 
@@ -36,13 +36,13 @@ def read(path, arrays=True):
             version = file.attrs.get("schema_version", 0)
             if not 1 <= version <= NEWEST:
                 raise BadRecord(f"{path}: schema version {version}, expected 1 to {NEWEST}")
-            record = {"path": path, **_attributes(file)}
+            record = {"path": path, **attributes(file)}
             for name, group in file.items():
-                record[name] = {**_attributes(group), **_tables(group, () if arrays else LARGE)}
+                record[name] = {**attributes(group), **tables(group, () if arrays else LARGE)}
             if "verified" in file:
-                record["verified"]["values"] = _attributes(file["verified/values"])
+                record["verified"]["values"] = attributes(file["verified/values"])
                 materials = file.get("verified/materials") or {}  # early records have none
-                record["verified"]["materials"] = {name: _attributes(group) for name, group in materials.items()}
+                record["verified"]["materials"] = {name: attributes(group) for name, group in materials.items()}
             return record
     except OSError as error:
         reason = "no such file" if not path.exists() else str(error).split("(")[-1].rstrip(")")
@@ -84,7 +84,7 @@ def read_folder(folder, arrays=False):
 
 def _flat(node, prefix, most):
     """Attributes and datasets of up to `most` values below a group: {"group.name": value}."""
-    row = {prefix + name: value for name, value in _attributes(node).items()}
+    row = {prefix + name: value for name, value in attributes(node).items()}
     for name, child in node.items():
         if isinstance(child, h5py.Group):
             row.update(_flat(child, f"{prefix}{name}.", most))

@@ -28,6 +28,7 @@ test -s top.stl
 if build/top no-such-file.off 2> error.txt; then echo "a file that is not there was read"; exit 1; fi
 test "$(wc -l < error.txt)" -eq 1
 env -u LD_LIBRARY_PATH "$prefix/bin/bench" --version
+"$prefix/libexec/kreisel/nest_baseline" --help > /dev/null  # which users do not call
 
 if [ -n "$python" ]; then
   PYTHONPATH=$prefix/lib/python3/dist-packages env -u LD_LIBRARY_PATH "$python" example.py

@@ -3,6 +3,7 @@
 import os
 import pathlib
 import signal
+import subprocess
 import tempfile
 import threading
 import time
@@ -76,8 +77,10 @@ class Sessions(unittest.TestCase):
         self.assertEqual(first.end, "optimal")
         again = s.solve(first.question)
         self.assertEqual((s.made, again.objective), ([], first.objective))
-        s.solve(first.question, settings={"problem.gamma_i": 2})
+        weighted = s.solve(first.question, settings={"problem.gamma_i": 2}).question
         self.assertEqual(s.made, ["problem"])
+        self.assertEqual(s.solve(weighted, settings={}).objective, first.objective)
+        self.assertEqual(s.solve(weighted, problem="stand").question.problem, "stand")
         s.solve(first.question.replace(wall=1.6))
         self.assertIn("domain", s.made)
         turned = s.solve(first.question.replace(wall=1.6, axis=(0.1, 0, 1)))
@@ -118,6 +121,8 @@ class Sessions(unittest.TestCase):
         self.assertLessEqual(a.bound, a.objective)
         self.assertLess(a.objective - a.bound, 1.01e-3 * a.objective)
         self.assertIsNone(self.session.solve("spin", wall=1.2, cells=32).bound)
+        turned = self.session.solve("spin", wall=1.2, cells=32, axis=(0.05, 0.02, 1), certify=1e-3)
+        self.assertLessEqual(turned.bound, turned.objective)
 
     def test_what_is_infeasible_says_why_and_what_would_help(self):
         a = self.session.solve("spin", wall=8, cells=32, axis=(1, 0.4, 0.3))
@@ -144,7 +149,12 @@ class Sessions(unittest.TestCase):
             with self.assertRaises(kr.InputError):
                 part.write(os.path.join(folder, "part.xyz"))
             self.assertEqual(len(os.listdir(folder)), 3)
-        halves = self.session.part(a, cut="auto", pegs=1)
+            halves = self.session.part(a, cut="auto", pegs=1)
+            files = halves.write(os.path.join(folder, "halves.3mf"))
+            self.assertTrue(kr.verify(files, self.body, a.question).ok, "all objects of the file")
+            self.assertFalse(kr.verify(halves.write(os.path.join(folder, "halves.stl"))[:1], self.body, a.question).ok)
+            with self.assertRaises(kr.InputError):
+                kr.verify([os.path.join(folder, "no-such.stl")], self.body, a.question)
         self.assertEqual({"lower", "upper", "peg-1"} - set(halves.names), set())
 
     def test_a_map_finds_an_axis(self):
@@ -178,6 +188,24 @@ class Sessions(unittest.TestCase):
             thread.join()
         self.assertEqual(list(together.values()), [alone] * 4)
 
+    def test_one_session_in_two_threads_is_refused(self):
+        busy, said = kr.Session(self.body), []
+
+        def ask():
+            try:
+                for _ in range(20):
+                    busy.solve("spin", cells=48, wall=1.2 + 0.01 * len(said))
+            except kr.Error as error:
+                said.append(str(error))
+
+        threads = [threading.Thread(target=ask) for _ in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertTrue(all("two threads" in text for text in said))
+        self.assertEqual(busy.solve("spin", cells=24).end, "optimal")
+
     def test_ctrl_c_stops_a_solve_and_leaves_the_session_usable(self):
         timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
         timer.start()
@@ -186,6 +214,15 @@ class Sessions(unittest.TestCase):
             self.session.map("spin", axes=1000000, cells=48)
         self.assertLess(time.monotonic() - began, 1.5)
         self.assertEqual(self.session.solve("spin", cells=24).end, "optimal")
+
+    def test_a_call_in_a_callback_leaves_ctrl_c_as_it_was(self):
+        before = signal.getsignal(signal.SIGINT)
+        kr.nest(kr.Body(*box()), free="all", seconds=60,
+                on_iteration=lambda it: self.session.solve("spin", cells=16).feasible and False)
+        self.assertIs(signal.getsignal(signal.SIGINT), before)
+        with self.assertRaises(KeyboardInterrupt):
+            os.kill(os.getpid(), signal.SIGINT)
+            time.sleep(1)
 
     def test_a_call_costs_little(self):
         question = self.session.solve("spin", cells=16).question
@@ -234,6 +271,20 @@ class Nests(unittest.TestCase):
 
 
 class Records(unittest.TestCase):
+    @unittest.skipUnless("KREISEL_BENCH" in os.environ, "where the program bench lies is not said")
+    def test_a_row_is_what_the_session_answers(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for wall in ("1.2", "2.4"):
+                subprocess.run([os.environ["KREISEL_BENCH"], "--formulation", "quadric", "--wall", wall, "--resolution",
+                                "32", "--record", os.path.join(folder, f"{wall}.h5")], check=True,
+                               stdout=subprocess.DEVNULL)
+            rows = kr.records(folder)
+        session = kr.Session(kr.Body.model("ellipsoid"))
+        self.assertEqual(len(rows), 2)
+        for row, wall in zip(rows, (1.2, 2.4)):
+            self.assertEqual(row["objective"], session.solve("spin", wall=wall, cells=32).objective)
+            self.assertEqual((row["model"], row["config.wall"]), ("ellipsoid", f"{wall}"))
+
     def test_folders_without_records_are_refused(self):
         with tempfile.TemporaryDirectory() as folder:
             with self.assertRaises(kr.BadRecord):

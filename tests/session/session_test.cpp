@@ -19,6 +19,7 @@ RunConfig question(const char* problem = "spin") {
   RunConfig config;
   config.body.fineness = 16;
   config.grid.resolution = 32;
+  config.wall = {1.5, Wall::millimetres};
   config.formulation = "quadric";
   config.problem = problem;
   return config;
@@ -88,6 +89,25 @@ TEST_F(OfASession, AnotherAxisKeepsTheRays) {
   turned.body.contact = Vec3(1, 0, -2);
   // The rays of another axis sample the same shape: to first order in a cell, of 32.
   same_as_cold(turned, {"pose", "problem"}, 0.02);
+}
+
+// Two percent of the longest side, and one cell, are another length in another frame.
+TEST_F(OfASession, AnotherAxisMakesTheDomainOfAWallThatIsNoLength) {
+  for (const Wall wall : {Wall{2, Wall::percent}, Wall{1.5, Wall::cells}}) {
+    RunConfig turned = question();
+    turned.wall = wall;
+    turned.body.axis = Vec3(0, 0, 1);
+    ask(session_, turned);
+    turned.body.axis = Vec3(0.1, 0.2, 1);
+    same_as_cold(turned, {"pose", "domain", "problem", "formulation"}, 1e-9);
+  }
+}
+
+TEST_F(OfASession, APartKeepsTheDomain) {
+  ask(session_, question());
+  RunConfig of_part = question();
+  of_part.wall.to_corners = true;  // as a part asks for, and exact rays have no corners
+  same_as_cold(of_part, {});
 }
 
 TEST_F(OfASession, AnotherAxisMakesTheDomainOfWhatIsNoQuadric) {
