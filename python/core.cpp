@@ -174,11 +174,7 @@ Nesting nested(const py::object& outer, const py::object& inner, const py::objec
   return without_gil([&](const Control& control) { return nest(a, b, text, told, control); });
 }
 
-}  // namespace
-
-PYBIND11_MODULE(_core, m) {
-  m.doc() = "Kreisel's compiled part. Use the package kreisel.";
-
+void add_errors(py::module_& m) {
   static py::exception<Error> error(m, "Error", PyExc_RuntimeError);
   static py::exception<InputError> input_error(m, "InputError",
                                                py::make_tuple(error, py::handle(PyExc_ValueError)));
@@ -191,7 +187,9 @@ PYBIND11_MODULE(_core, m) {
       error(e.what());
     }
   });
+}
 
+void add_bodies(py::module_& m) {
   py::class_<Verdict>(m, "Verdict", "Does a finished part do what was asked?")
       .def_readonly("ok", &Verdict::ok)
       .def_readonly("text", &Verdict::text, "One sentence.")
@@ -221,7 +219,9 @@ PYBIND11_MODULE(_core, m) {
           "Vertices (n, 3) float64 and faces (m, 3) uint32, views.")
       .def("moments", &Body::moments, "At density 1: 1 x y z xy yz xz xx yy zz, mm^3 to mm^5; (10,).")
       .def_property_readonly("repairs", &Body::repairs, "What was mended, one line each.");
+}
 
+void add_questions(py::module_& m) {
   py::class_<Question>(m, "Question", "What may be asked of a body. Immutable: replace() gives another.")
       .def(py::init([](const py::object& problem, const py::kwargs& fields) {
              return question_of(problem, fields);
@@ -246,7 +246,9 @@ PYBIND11_MODULE(_core, m) {
       .def_property_readonly("cells", [](const Question& q) { return q.domain.cells; })
       .def("__eq__", [](const Question& a, const Question& b) { return a == b; })
       .def("__repr__", &repr_of);
+}
 
+void add_solutions(py::module_& m) {
   py::class_<Solution>(m, "Solution", "The answer to a question, before anything is meshed.")
       .def_readonly("question", &Solution::question)
       .def_property_readonly(
@@ -289,7 +291,9 @@ PYBIND11_MODULE(_core, m) {
       .def("__repr__", [](const Solution& s) {
         return std::string("Solution(") + name_of(s.end) + ", objective=" + std::to_string(s.objective) + ")";
       });
+}
 
+void add_parts(py::module_& m) {
   py::class_<Part>(m, "Part", "What is printed or cast, in memory.")
       .def_property_readonly(
           "meshes",
@@ -319,7 +323,9 @@ PYBIND11_MODULE(_core, m) {
       .def_property_readonly("objective", [](const Map& map) { return map.objective; })
       .def_readonly("best_index", &Map::best)
       .def("question", &Map::question, py::arg("i"), "The question of one axis.");
+}
 
+void add_sessions(py::module_& m) {
   py::class_<Session>(m, "Session", "A body with its domain, kept between questions. One thread at a time.")
       .def(
           py::init([](const Body& body, const std::string& device) { return Session(body, Device(device)); }),
@@ -361,7 +367,9 @@ PYBIND11_MODULE(_core, m) {
 
   m.def("verify", &verify, py::arg("files"), py::arg("body"), py::arg("question"),
         py::call_guard<py::gil_scoped_release>(), "Reads the files of a part again and judges them.");
+}
 
+void add_nests(py::module_& m) {
   py::class_<Iteration>(m, "Iteration", "What the callback of nest() is told.")
       .def_readonly("iteration", &Iteration::iteration)
       .def_readonly("scale", &Iteration::scale, "The best so far.");
@@ -381,4 +389,17 @@ PYBIND11_MODULE(_core, m) {
         py::arg("on_iteration") = py::none(),
         "How large a copy nests inside, and can be taken out. Keywords are the fields of `bench nest`: "
         "free=\"all\", seconds=10, scale=0.5. The callback's False ends a search and keeps the best.");
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, m) {
+  m.doc() = "Kreisel's compiled part. Use the package kreisel.";
+  add_errors(m);
+  add_bodies(m);
+  add_questions(m);
+  add_solutions(m);
+  add_parts(m);
+  add_sessions(m);
+  add_nests(m);
 }
