@@ -19,7 +19,7 @@ RunConfig question(const char* problem = "spin") {
   RunConfig config;
   config.body.fineness = 16;
   config.grid.resolution = 32;
-  config.wall = {1.5, Wall::millimetres};
+  config.wall = {3, Wall::millimetres};
   config.formulation = "quadric";
   config.problem = problem;
   return config;
@@ -94,6 +94,7 @@ TEST_F(OfASession, AnotherAxisKeepsTheRays) {
 // Two percent of the longest side, and one cell, are another length in another frame.
 TEST_F(OfASession, AnotherAxisMakesTheDomainOfAWallThatIsNoLength) {
   for (const Wall wall : {Wall{2, Wall::percent}, Wall{1.5, Wall::cells}}) {
+    session_ = Session();
     RunConfig turned = question();
     turned.wall = wall;
     turned.body.axis = Vec3(0, 0, 1);

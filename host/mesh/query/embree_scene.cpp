@@ -1,18 +1,30 @@
 #include "mesh/query/embree_scene.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <new>
 
 namespace kreisel::core {
 
-RTCDevice embree_device() {
-  static const RTCDevice device = rtcNewDevice("threads=1");
+namespace {
+
+/// The device of all scenes there are. It keeps tens of megabytes, so it goes with the last of them.
+std::shared_ptr<RTCDeviceTy> shared_device() {
+  static std::mutex opening;
+  static std::weak_ptr<RTCDeviceTy> known;
+  const std::scoped_lock lock(opening);
+  std::shared_ptr<RTCDeviceTy> device = known.lock();
+  if (!device) known = device = {rtcNewDevice("threads=1"), rtcReleaseDevice};
   return device;
 }
 
+}  // namespace
+
+EmbreeScene::EmbreeScene() : device_(shared_device()), scene_(rtcNewScene(device_.get())) {}
+
 EmbreeScene::EmbreeScene(const TriangleMesh& mesh) : EmbreeScene() {
   rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-  const RTCGeometry geometry = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
   auto* triangles = static_cast<unsigned*>(rtcSetNewGeometryBuffer(

@@ -3,18 +3,16 @@
 
 #include <embree3/rtcore.h>
 
+#include <memory>
+
 #include "geometry/triangle_mesh.hpp"
 
 namespace kreisel::core {
 
-/// The one device of the process: it keeps caches, and takes longer to open than a small scene to build. Any
-/// thread may use it.
-[[nodiscard]] RTCDevice embree_device();
-
-/// A scene, released with the object.
+/// A scene, released with the object. All that there are at a time share one device.
 class EmbreeScene {
  public:
-  EmbreeScene() : scene_(rtcNewScene(embree_device())) {}
+  EmbreeScene();
   /// The triangles of a mesh in single precision, committed, for watertight rays and point queries.
   explicit EmbreeScene(const TriangleMesh& mesh);
   ~EmbreeScene() { rtcReleaseScene(scene_); }
@@ -23,9 +21,11 @@ class EmbreeScene {
 
   /// Takes over a committed geometry, and builds the hierarchy.
   void commit(RTCGeometry geometry);
+  [[nodiscard]] RTCDevice device() const { return device_.get(); }
   [[nodiscard]] RTCScene handle() const { return scene_; }
 
  private:
+  std::shared_ptr<RTCDeviceTy> device_;
   RTCScene scene_;
 };
 

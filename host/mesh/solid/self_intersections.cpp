@@ -77,7 +77,7 @@ std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh&
   number(mesh, search);
   if (search.triangles.empty()) return {};
   EmbreeScene scene;
-  const RTCGeometry geometry = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_USER);
+  const RTCGeometry geometry = rtcNewGeometry(scene.device(), RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, unsigned(search.triangles.size()));
   rtcSetGeometryUserData(geometry, &search);
   rtcSetGeometryBoundsFunction(geometry, set_bounds, nullptr);
