@@ -78,7 +78,7 @@ std::string item(const std::string& text) {
   for (std::string word; words >> word;) {
     if (line.size() + 1 + word.size() > line_width) {
       out += line + '\n';
-      line = " ";
+      line.assign(1, ' ');
     }
     line += ' ' + word;
   }
