@@ -164,7 +164,6 @@ Nesting nested(const py::object& outer, const py::object& inner, const py::objec
   }
   const Mesh a = shape_of(outer), b = inner.is_none() ? a : shape_of(inner);
   std::function<bool(int, double)> told;
-  py::object failure;
   if (!on_iteration.is_none())
     told = [&](int iteration, double scale) {
       const py::gil_scoped_acquire held;

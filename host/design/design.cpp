@@ -96,9 +96,7 @@ class Finishing {
 }  // namespace
 
 std::map<std::string, std::string> describe(const DesignSpec& spec) {
-  RunConfig config = spec.config;
-  config.wall.to_corners = true;
-  std::map<std::string, std::string> fields = describe(config);
+  std::map<std::string, std::string> fields = describe(spec.config);
   fields["printer-accuracy"] = fmt::format("{}", spec.printer_accuracy);
   if (!spec.cut.empty()) fields["cut"] = spec.cut;
   if (spec.peg_radius > 0) fields["pegs"] = fmt::format("{}", spec.peg_radius);
@@ -120,7 +118,7 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
   run.complete(control);
   Design design{};
   DesignSpec used = spec;
-  used.config = run.result.config;  // with the solver that was taken
+  used.config = run.result.config;  // with the solver and the wall that were taken
   design.config = describe(used);
   design.printer_accuracy = spec.printer_accuracy;
   design.part.outer = run.body().mesh;

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "fabricate/lay_flat.hpp"
 #include "library/config_of.hpp"
 #include "library/state.hpp"

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "body/mesh_moments.hpp"
 #include "design/design.hpp"
 #include "library/config_of.hpp"
 #include "library/state.hpp"

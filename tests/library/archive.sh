@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$1"
 if ! commit=$(git rev-parse HEAD 2> /dev/null); then
   echo "not a checkout of git: nothing to archive"
-  exit 0
+  exit 77  # skipped
 fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

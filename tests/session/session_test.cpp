@@ -7,8 +7,6 @@
 #include "body/test_meshes.hpp"
 #include "error.hpp"
 #include "session/solved_run.hpp"
-#include "temporary_folder.hpp"
-#include "test_device.hpp"
 
 namespace kreisel::core {
 namespace {
