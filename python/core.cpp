@@ -5,128 +5,19 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <kreisel/kreisel.hpp>
 
+#include "arrays.hpp"
+#include "control.hpp"
 #include "question.hpp"
+#include "registered.hpp"
 
 namespace py = pybind11;
 using namespace kreisel;
 using namespace kreisel::python;
 
 namespace {
-
-/// Ctrl-C during a call of the main thread asks the call to stop; Python hears of it, too. Nobody registers a
-/// callback with the source, so that to ask is no more than an atomic operation.
-/// A call inside another's callback stops with that.
-class StopOnInterrupt {
- public:
-  StopOnInterrupt() {
-    const bool main = ::gettid() == ::getpid();  // the thread that Python handles signals in
-    if (!main) return;
-    outermost_ = calls++ == 0;
-    inside_ = true;
-    if (outermost_) {
-      source = {};
-      struct sigaction ours {};
-      ours.sa_handler = on_signal;
-      sigaction(SIGINT, &ours, &previous);
-      if (previous.sa_handler == SIG_IGN) sigaction(SIGINT, &previous, nullptr);
-    }
-    token_ = source.get_token();
-  }
-  ~StopOnInterrupt() {
-    if (!inside_) return;
-    --calls;
-    if (outermost_) sigaction(SIGINT, &previous, nullptr);
-  }
-  StopOnInterrupt(const StopOnInterrupt&) = delete;
-  StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
-
-  [[nodiscard]] std::stop_token token() const { return token_; }
-
- private:
-  static void on_signal(int number) {
-    source.request_stop();
-    if (previous.sa_handler != SIG_IGN && previous.sa_handler != SIG_DFL) previous.sa_handler(number);
-  }
-
-  bool inside_ = false, outermost_ = false;
-  std::stop_token token_;
-  static inline int calls = 0;  ///< of the main thread, one inside the other
-  static inline std::stop_source source;
-  static inline struct sigaction previous {};
-};
-
-/// Runs `work(control)` without the GIL. @throws KeyboardInterrupt  by Ctrl-C
-template <class Work>
-auto without_gil(const Work& work, const std::function<void(const std::string&)>& progress = {}) {
-  try {
-    const StopOnInterrupt interrupt;
-    Control control;
-    control.stop = interrupt.token();
-    if (progress)
-      control.progress = [&](const std::string& step) {
-        const py::gil_scoped_acquire held;
-        progress(step);
-      };
-    const py::gil_scoped_release released;
-    return work(control);
-  } catch (const Interrupted&) {
-    if (PyErr_CheckSignals() == 0) PyErr_SetNone(PyExc_KeyboardInterrupt);
-    throw py::error_already_set();
-  }
-}
-
-using Vertices = py::array_t<double, py::array::c_style | py::array::forcecast>;
-using Faces = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
-
-void require_rows_of_three(const py::array& array, const char* what) {
-  if (array.ndim() == 2 && array.shape(1) == 3) return;
-  std::string shape;
-  for (py::ssize_t i = 0; i < array.ndim(); ++i) shape += (i ? " x " : "") + std::to_string(array.shape(i));
-  throw InputError(std::string(what) + " of shape " + shape + "; expected n x 3");
-}
-
-Mesh mesh_of(const Vertices& vertices, const Faces& faces) {
-  require_rows_of_three(vertices, "vertices");
-  require_rows_of_three(faces, "faces");
-  Mesh mesh;
-  const auto v = vertices.unchecked<2>();
-  const auto f = faces.unchecked<2>();
-  for (py::ssize_t i = 0; i < v.shape(0); ++i) mesh.vertices.emplace_back(v(i, 0), v(i, 1), v(i, 2));
-  for (py::ssize_t i = 0; i < f.shape(0); ++i) {
-    Triangle t{};
-    for (py::ssize_t k = 0; k < 3; ++k) {
-      if (f(i, k) < 0 || f(i, k) >= v.shape(0))
-        throw InputError("face " + std::to_string(i) + " of the vertex " + std::to_string(f(i, k)) +
-                         "; expected one of " + std::to_string(v.shape(0)) + ", counted from 0");
-      t[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(f(i, k));
-    }
-    mesh.triangles.push_back(t);
-  }
-  return mesh;
-}
-
-/// Read-only views of a mesh that `owner` holds: (n, 3) float64 and (m, 3) uint32.
-py::tuple views_of(const Mesh& mesh, const py::object& owner) {
-  const auto rows = [](std::size_t n) { return std::vector<py::ssize_t>{static_cast<py::ssize_t>(n), 3}; };
-  py::array_t<double> vertices(rows(mesh.vertices.size()),
-                               mesh.vertices.empty() ? nullptr : mesh.vertices.front().data(), owner);
-  py::array_t<std::uint32_t> faces(rows(mesh.triangles.size()),
-                                   mesh.triangles.empty() ? nullptr : mesh.triangles.front().data(), owner);
-  vertices.attr("flags").attr("writeable") = false;
-  faces.attr("flags").attr("writeable") = false;
-  return py::make_tuple(vertices, faces);
-}
-
-py::array view_of(const Moments& moments, const py::object& owner) {
-  py::array_t<double> view(std::vector<py::ssize_t>{10}, moments.data(), owner);
-  view.attr("flags").attr("writeable") = false;
-  return view;
-}
 
 const char* name_of(Solution::End end) {
   switch (end) {
@@ -401,4 +292,6 @@ PYBIND11_MODULE(_core, m) {
   add_parts(m);
   add_sessions(m);
   add_nests(m);
+  add_inspections(m);
+  add_problems(m);
 }

@@ -10,6 +10,7 @@
 #include "body/moments.hpp"
 #include "device/device.hpp"
 #include "geometry/triangle_mesh.hpp"
+#include "kreisel/problem.hpp"
 #include "mesh/io/length_unit.hpp"
 
 namespace kreisel::core {
@@ -95,20 +96,7 @@ void reframe(Body& body, const Body& made, const Vec3& axis, const Vec3& contact
 /// @throws InputError  as make_body()
 [[nodiscard]] Body reposed(const Body& made, const BodySpec& spec);
 
-/// Total moments from the designed part alone: s = fixed + contrast * s_domain, in body units.
-/// The one place where shell, interior and void come together.
-///
-/// Designed is always where the *heavier* of interior and void goes, so that the contrast is positive and
-/// "solid", to whatever finds a filling, is what weighs more. With heavy voids the roles are swapped: what a
-/// formulation leaves solid is then the voids' filling. [docs/materials.md]
-struct MassModel {
-  Moments fixed = Moments::Zero();  ///< the shell, and the whole interior at the lighter of its densities
-  double contrast = 1;              ///< > 0: the heavier less the lighter, in densities of the shell
-  /// Of the whole domain at unit density; zero where nobody asks for the heaviest part.
-  Moments interior = Moments::Zero();
-
-  [[nodiscard]] Moments total(const Moments& domain) const { return fixed + contrast * domain; }
-};
+using kreisel::MassModel;
 
 /// @param interior  moments of the whole domain at unit density: what can be hollowed
 [[nodiscard]] MassModel hollowed(const Body& body, const Moments& interior);

@@ -5,13 +5,13 @@
 #include <array>
 #include <string_view>
 
-#include "kreisel/mesh.hpp"
+#include "kreisel/moments.hpp"
 
 namespace kreisel::core {
 
-/// In the order of MomentIndex.
+using kreisel::Matrix10;
 using kreisel::Moments;
-using Matrix10 = Eigen::Matrix<double, 10, 10>;
+using enum kreisel::MomentIndex;
 
 /// A sum with what its rounding errors are measured by: error bounds are relative to `abs_sum`.
 struct MomentSums {
@@ -19,9 +19,7 @@ struct MomentSums {
   Moments abs_sum = Moments::Zero();  ///< sum of the absolute values of everything that is added up
 };
 
-/// Position of each moment in Moments; results, kernels and files keep this order.
-enum MomentIndex : int { S1, SX, SY, SZ, SXY, SYZ, SXZ, SXX, SYY, SZZ };
-
+/// In the order of MomentIndex.
 inline constexpr std::array<std::string_view, 10> moment_names = {"s1",  "sx",  "sy",  "sz",  "sxy",
                                                                   "syz", "sxz", "sxx", "syy", "szz"};
 

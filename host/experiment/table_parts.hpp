@@ -11,8 +11,7 @@
 
 namespace kreisel::core {
 
-/// Half the interquartile range of `solve` over the samples, quartiles interpolated linearly; 0 for one
-/// sample.
+/// Half the interquartile range of `solve` over the samples.
 [[nodiscard]] double half_interquartile_range(const std::vector<Seconds>& samples);
 
 /// "34.74 ± 0.12": median seconds of the solve and their spread; no spread for a single sample.

@@ -7,7 +7,6 @@
 #include "formulation/quadric.hpp"
 #include "formulation/rayrep.hpp"
 #include "formulation/voxel.hpp"
-#include "unknown_name.hpp"
 
 namespace kreisel::core {
 
@@ -52,25 +51,33 @@ void Formulation::warm_up() {
   curvature(x, weight, out);
 }
 
-const std::vector<FormulationEntry>& formulations() {
-  static const std::vector<FormulationEntry> all = {
-      {"voxel", "one fill in [0,1] an interior voxel", make_voxel},
+namespace {
+
+std::vector<FormulationEntry> ours() {
+  return {
+      {"voxel", "one fill in [0,1] an interior voxel", make_voxel, {.derivatives = true, .voxels = true}},
       {"rayrep", "one solid segment [z0,z1] a ray [RayRep, s. 2-3]", make_rayrep},
-      {"octree", "one fill in [0,1] a cell of an octree, refined along the voids [SpinIt, s. 5]",
-       make_octree},
+      {"octree",
+       "one fill in [0,1] a cell of an octree, refined along the voids [SpinIt, s. 5]",
+       make_octree,
+       {.derivatives = true, .refinement = true}},
       {"quadric",
-       "solid where a quadric is negative: ten coefficients, exact at the optimum [Hafner, Ly, Wojtan 2024] "
+       "solid where a quadric is negative: ten coefficients, exact at the optimum [Hafner, Ly, Wojtan "
+       "2024] "
        "(docs/quadric.md)",
-       make_quadric},
+       make_quadric,
+       {.oracle = true}},
   };
+}
+
+}  // namespace
+
+Registry<FormulationEntry>& formulations() {
+  static Registry<FormulationEntry> all("formulation", ours());
   return all;
 }
 
-const FormulationEntry& find_formulation(std::string_view name) {
-  for (const FormulationEntry& entry : formulations())
-    if (entry.name == name) return entry;
-  throw unknown_name("formulation", name, names_of(formulations()));
-}
+const FormulationEntry& find_formulation(std::string_view name) { return formulations().find(name); }
 
 std::unique_ptr<Formulation> make_formulation(std::string_view name, const Columns& domain,
                                               const Traits& traits, const FormulationSettings& settings,

@@ -84,6 +84,15 @@ class Formulation {
   /// Diagonal of sum_k w_k d2s_k/dx2, its only entries. Zero when moments_are_linear().
   virtual void curvature(std::span<const double> x, const Moments& weight, std::span<double> out) = 0;
 
+  /// How many of the variables, the last ones, move the body itself, its skin included: with them the moments
+  /// of what is not designed change, too. Of these there are first derivatives alone.
+  [[nodiscard]] virtual std::size_t moving() const { return 0; }
+  /// What they change MassModel::fixed by.
+  [[nodiscard]] virtual Moments moved(std::span<const double> /*x*/) { return Moments::Zero(); }
+  /// out += (d moved/dx)^T w for every w of `weights`, laid out as in pull_back().
+  virtual void add_moved(std::span<const double> /*x*/, std::span<const Moments> /*weights*/,
+                         std::span<double> /*out*/) {}
+
   /// What is minimised besides the problem's objective, so that there is one best x; nullptr: nothing.
   [[nodiscard]] virtual const SparseForm* regulariser() const { return nullptr; }
 
@@ -117,14 +126,29 @@ class Formulation {
 /// Settings of a formulation, from `--set formulation.NAME=VALUE`.
 using FormulationSettings = std::map<std::string, std::string>;
 
+/// What a solver may find in a formulation.
+struct Offers {
+  bool derivatives = false;  ///< of the moments in bounded variables: pull_back() and curvature()
+  bool refinement = false;   ///< refines()
+  bool voxels = false;       ///< each variable is the fill of one voxel
+  bool oracle = false;       ///< oracle()
+
+  [[nodiscard]] bool has(const Offers& needs) const {
+    return (derivatives || !needs.derivatives) && (refinement || !needs.refinement) &&
+           (voxels || !needs.voxels) && (oracle || !needs.oracle);
+  }
+};
+
 struct FormulationEntry {
-  std::string_view name, summary;
+  std::string name, summary;
   /// The domain and the device outlive the formulation.
   std::unique_ptr<Formulation> (*make)(const Columns& domain, const Traits& traits,
                                        const FormulationSettings& settings, device::Device& device);
+  Offers offers = {.derivatives = true};
 };
 
-[[nodiscard]] const std::vector<FormulationEntry>& formulations();
+/// Those that there are, and such as were added.
+[[nodiscard]] Registry<FormulationEntry>& formulations();
 
 /// @throws InputError  unknown formulation (names those there are)
 [[nodiscard]] const FormulationEntry& find_formulation(std::string_view name);

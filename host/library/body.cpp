@@ -11,21 +11,46 @@
 namespace kreisel {
 Body::Body(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
-Body Body::read(const std::filesystem::path& file, double mm_per_unit) {
+core::Source core::read_source(const std::filesystem::path& file, double mm_per_unit) {
   if (!(mm_per_unit > 0) || !std::isfinite(mm_per_unit))
     throw InputError(fmt::format("{} mm a unit of {}; expected > 0", mm_per_unit, file.string()));
-  if (mm_per_unit != 1 && core::mesh_format(file).has_unit)
+  if (mm_per_unit != 1 && mesh_format(file).has_unit)
     throw InputError(fmt::format("{} mm a unit of {}, which says itself what its lengths are in; expected 1",
                                  mm_per_unit, file.string()));
-  core::Source source{.name = file.stem().string(),
-                      .format = std::string(core::mesh_format(file).name),
-                      .mesh = core::read_mesh(file),
-                      .contact = {},
-                      .size = {}};
+  Source source{.name = file.stem().string(),
+                .format = std::string(mesh_format(file).name),
+                .mesh = read_mesh(file),
+                .contact = {},
+                .size = {}};
   for (Vec3& v : source.mesh.vertices) v *= mm_per_unit;
+  return source;
+}
+
+core::Source core::source_of(Mesh mesh) {
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t v : t)
+      if (v >= mesh.vertices.size())
+        throw InputError(fmt::format("a triangle of the vertex {}; expected one of {}, counted from 0", v,
+                                     mesh.vertices.size()));
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    if (!mesh.vertices[i].allFinite())
+      throw InputError(fmt::format("vertex {} is not finite; expected three numbers", i));
+  if (mesh.triangles.empty()) throw InputError("a mesh without triangles; expected a closed surface");
+  return {.name = "mesh", .format = "in memory", .mesh = std::move(mesh), .contact = {}, .size = {}};
+}
+
+namespace {
+
+core::Source solid_of(core::Source source, const std::string& name) {
   core::Surface surface(std::move(source.mesh));
+  return core::as_solid(std::move(source), surface, name);
+}
+
+}  // namespace
+
+Body Body::read(const std::filesystem::path& file, double mm_per_unit) {
   return Body(
-      std::make_shared<const State>(State{core::as_solid(std::move(source), surface, file.string())}));
+      std::make_shared<const State>(State{solid_of(core::read_source(file, mm_per_unit), file.string())}));
 }
 
 Body Body::model(const std::string& name) {
@@ -41,20 +66,8 @@ Body Body::model(const std::string& name) {
   return Body(std::make_shared<const State>(State{std::move(source)}));
 }
 
-Body::Body(Mesh mesh) {
-  for (const Triangle& t : mesh.triangles)
-    for (const std::uint32_t v : t)
-      if (v >= mesh.vertices.size())
-        throw InputError(fmt::format("a triangle of the vertex {}; expected one of {}, counted from 0", v,
-                                     mesh.vertices.size()));
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-    if (!mesh.vertices[i].allFinite())
-      throw InputError(fmt::format("vertex {} is not finite; expected three numbers", i));
-  if (mesh.triangles.empty()) throw InputError("a mesh without triangles; expected a closed surface");
-  core::Source source{.name = "mesh", .format = "in memory", .mesh = {}, .contact = {}, .size = {}};
-  core::Surface surface(std::move(mesh));
-  state_ = std::make_shared<const State>(State{core::as_solid(std::move(source), surface, "mesh")});
-}
+Body::Body(Mesh mesh)
+    : state_(std::make_shared<const State>(State{solid_of(core::source_of(std::move(mesh)), "mesh")})) {}
 
 const Mesh& Body::mesh() const { return state_->mesh; }
 

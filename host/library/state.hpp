@@ -32,6 +32,15 @@ auto translated(const Work& work) {
   }
 }
 
+namespace core {
+
+/// A file's mesh as it is, in mm. @throws InputError  as Body::read(), but for what it bounds
+[[nodiscard]] Source read_source(const std::filesystem::path& file, double mm_per_unit);
+/// @throws InputError  triangles of vertices that are not there, or not finite; none
+[[nodiscard]] Source source_of(Mesh mesh);
+
+}  // namespace core
+
 struct Session::State {
   State(std::shared_ptr<const core::Source> solid, std::shared_ptr<core::device::Device> device)
       : session(std::move(solid), std::move(device)) {}

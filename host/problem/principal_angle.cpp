@@ -73,7 +73,7 @@ Eigen::MatrixXd PrincipalAngle::hessian(const Moments& s, const Eigen::VectorXd&
   return h;
 }
 
-Eigen::VectorXd PrincipalAngle::residuals(const Moments& s, const Eigen::VectorXd& a) const {
+Eigen::VectorXd PrincipalAngle::rows(const Moments& s, const Eigen::VectorXd& a) const {
   return Eigen::VectorXd::Constant(1, Turn(s, a[0]).residual);
 }
 

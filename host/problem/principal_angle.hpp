@@ -14,24 +14,27 @@ namespace kreisel::core {
 ///
 /// -g is what J has off its diagonal after the turn, so tr(J^2) = Ia^2 + Ib^2 + 2 g^2: both forms have the
 /// same values where g = 0, and every s has a phi with g = 0. Hence the same minima.
-class PrincipalAngle final : public Auxiliary {
+class PrincipalAngle final : public Nonlinear {
  public:
   explicit PrincipalAngle(const SpinWeights& weights) : weights_(weights) {}
 
+  [[nodiscard]] std::string asked_by() const override { return "problem.form = angle"; }
   [[nodiscard]] int variables() const override { return 1; }
-  [[nodiscard]] int equations() const override { return 1; }
+  [[nodiscard]] const Eigen::VectorXd& lower() const override { return zero_; }
+  [[nodiscard]] const Eigen::VectorXd& upper() const override { return zero_; }
   /// The angle with g = 0 and the larger lateral moment last.
   [[nodiscard]] Eigen::VectorXd start(const Moments& s) const override;
   [[nodiscard]] double value(const Moments& s, const Eigen::VectorXd& a) const override;
   [[nodiscard]] Eigen::VectorXd gradient(const Moments& s, const Eigen::VectorXd& a) const override;
   [[nodiscard]] Eigen::MatrixXd hessian(const Moments& s, const Eigen::VectorXd& a) const override;
-  [[nodiscard]] Eigen::VectorXd residuals(const Moments& s, const Eigen::VectorXd& a) const override;
+  [[nodiscard]] Eigen::VectorXd rows(const Moments& s, const Eigen::VectorXd& a) const override;
   [[nodiscard]] Eigen::MatrixXd jacobian(const Moments& s, const Eigen::VectorXd& a) const override;
   [[nodiscard]] Eigen::MatrixXd curvature(const Moments& s, const Eigen::VectorXd& a,
                                           const Eigen::VectorXd& multipliers) const override;
 
  private:
   SpinWeights weights_;
+  Eigen::VectorXd zero_ = Eigen::VectorXd::Zero(1);
 };
 
 }  // namespace kreisel::core

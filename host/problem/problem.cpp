@@ -4,23 +4,30 @@
 
 #include "problem/balance.hpp"
 #include "problem/float.hpp"
+#include "problem/ray_direction.hpp"
 #include "problem/spin.hpp"
 #include "problem/stand.hpp"
 #include "problem/top.hpp"
 #include "problem/yoyo.hpp"
-#include "unknown_name.hpp"
 
 namespace kreisel::core {
 
 double violation(const Problem& problem, const Moments& s) {
+  double most = 0;
+  const auto look_at = [&](const Eigen::VectorXd& value, const auto& lower, const auto& upper) {
+    if (value.size() > 0) most = std::max({most, (lower - value).maxCoeff(), (value - upper).maxCoeff()});
+  };
   const LinearConstraints& c = problem.constraints();
-  if (c.matrix.rows() == 0) return 0;
-  const Eigen::VectorXd value = c.matrix * s;
-  return std::max({0.0, (c.lower - value).maxCoeff(), (value - c.upper).maxCoeff()});
+  look_at(c.matrix * s, c.lower, c.upper);
+  const Nonlinear* more = problem.nonlinear();
+  if (more && more->variables() == 0) look_at(more->rows(s, {}), more->lower(), more->upper());
+  return most;
 }
 
-const std::vector<ProblemEntry>& problems() {
-  static const std::vector<ProblemEntry> all = {
+namespace {
+
+std::vector<ProblemEntry> ours() {
+  return {
       {"spin",
        "spins about its axis: centre of mass on it, principal, and the largest moment [RayRep, eq. 7-10]",
        make_spin,
@@ -29,7 +36,8 @@ const std::vector<ProblemEntry>& problems() {
        {"lambda", "gamma_i"},
        {{"lambda", "0"}, {"gamma_i", "1"}}},
       {"top",
-       "spins on its tip: as spin, with centre of mass and mass lowered, or the height alone [SpinIt, eq. 3]",
+       "spins on its tip: as spin, with centre of mass and mass lowered, or the height alone [SpinIt, "
+       "eq. 3]",
        make_top,
        std::nullopt,
        false,
@@ -37,8 +45,7 @@ const std::vector<ProblemEntry>& problems() {
        {{"lower", "mass"}, {"gamma_c", "1"}, {"gamma_i", "1"}, {"form", "trace"}}},
       {"yoyo",
        "spins about its axle: centre of mass at the axle's centre, principal, and the largest moment "
-       "[SpinIt, "
-       "eq. 2]",
+       "[SpinIt, eq. 2]",
        make_yoyo,
        std::nullopt,
        false,
@@ -62,16 +69,21 @@ const std::vector<ProblemEntry>& problems() {
        make_balance,
        std::nullopt,
        true,
-       {"point", "line"}},
+       {"point", "line"},
+       {},
+       false,
+       rays_of_balance},
   };
+}
+
+}  // namespace
+
+Registry<ProblemEntry>& problems() {
+  static Registry<ProblemEntry> all("problem", ours());
   return all;
 }
 
-const ProblemEntry& find_problem(std::string_view name) {
-  for (const ProblemEntry& entry : problems())
-    if (entry.name == name) return entry;
-  throw unknown_name("problem", name, names_of(problems()));
-}
+const ProblemEntry& find_problem(std::string_view name) { return problems().find(name); }
 
 std::unique_ptr<Problem> make_problem(std::string_view name, const ProblemSettings& settings,
                                       const Body& body) {

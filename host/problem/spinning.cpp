@@ -59,7 +59,7 @@ Spinning::Spinning(const SpinWeights& weights, bool centred, SpinForm form)
     constraints_.names.emplace_back(fmt::format("{} = 0", moment_names[k]));
   }
   constraints_.lower = constraints_.upper = Eigen::VectorXd::Zero(rows);
-  if (form == SpinForm::angle) auxiliary_ = std::make_shared<PrincipalAngle>(weights);
+  if (form == SpinForm::angle) nonlinear_ = std::make_shared<PrincipalAngle>(weights);
 }
 
 SpinState spin_state(const Moments& s) {

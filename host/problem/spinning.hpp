@@ -37,7 +37,7 @@ class Spinning : public Problem {
   [[nodiscard]] Moments gradient(const Moments& s) const override { return weights_.gradient(s); }
   [[nodiscard]] Matrix10 hessian(const Moments& s) const override { return weights_.hessian(s); }
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
-  [[nodiscard]] const Auxiliary* auxiliary() const override { return auxiliary_.get(); }
+  [[nodiscard]] const Nonlinear* nonlinear() const override { return nonlinear_.get(); }
 
   /// Centre of mass off the axis (where it is to be the origin, off that) <= 1e-3 L, axis tilt <= 0.1
   /// degrees, Izz the largest principal moment about the centre of mass. omega_min_rpm from SpinIt's eq. 1,
@@ -53,7 +53,7 @@ class Spinning : public Problem {
   SpinWeights weights_;
   bool centred_;
   LinearConstraints constraints_;
-  std::shared_ptr<const Auxiliary> auxiliary_;
+  std::shared_ptr<const Nonlinear> nonlinear_;
 };
 
 /// How a solid lies to the axis, body units.

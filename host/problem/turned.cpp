@@ -3,6 +3,48 @@
 #include <utility>
 
 namespace kreisel::core {
+namespace {
+
+/// Rows and value in (s, a) of those in (T s, a).
+class TurnedNonlinear final : public Nonlinear {
+ public:
+  TurnedNonlinear(const Nonlinear& inner, const Matrix10& map)
+      : inner_(inner), map_(Eigen::MatrixXd::Identity(10 + inner.variables(), 10 + inner.variables())) {
+    map_.topLeftCorner<10, 10>() = map;
+  }
+  [[nodiscard]] std::string asked_by() const override { return inner_.asked_by(); }
+  [[nodiscard]] int variables() const override { return inner_.variables(); }
+  [[nodiscard]] Eigen::VectorXd start(const Moments& s) const override { return inner_.start(turned(s)); }
+  [[nodiscard]] double value(const Moments& s, const Eigen::VectorXd& a) const override {
+    return inner_.value(turned(s), a);
+  }
+  [[nodiscard]] Eigen::VectorXd gradient(const Moments& s, const Eigen::VectorXd& a) const override {
+    return map_.transpose() * inner_.gradient(turned(s), a);
+  }
+  [[nodiscard]] Eigen::MatrixXd hessian(const Moments& s, const Eigen::VectorXd& a) const override {
+    return map_.transpose() * inner_.hessian(turned(s), a) * map_;
+  }
+  [[nodiscard]] const Eigen::VectorXd& lower() const override { return inner_.lower(); }
+  [[nodiscard]] const Eigen::VectorXd& upper() const override { return inner_.upper(); }
+  [[nodiscard]] Eigen::VectorXd rows(const Moments& s, const Eigen::VectorXd& a) const override {
+    return inner_.rows(turned(s), a);
+  }
+  [[nodiscard]] Eigen::MatrixXd jacobian(const Moments& s, const Eigen::VectorXd& a) const override {
+    return inner_.jacobian(turned(s), a) * map_;
+  }
+  [[nodiscard]] Eigen::MatrixXd curvature(const Moments& s, const Eigen::VectorXd& a,
+                                          const Eigen::VectorXd& multipliers) const override {
+    return map_.transpose() * inner_.curvature(turned(s), a, multipliers) * map_;
+  }
+
+ private:
+  [[nodiscard]] Moments turned(const Moments& s) const { return map_.topLeftCorner<10, 10>() * s; }
+
+  const Nonlinear& inner_;
+  Eigen::MatrixXd map_;  ///< T, and one for each of a
+};
+
+}  // namespace
 
 Turned::Turned(std::unique_ptr<Problem> inner, const Eigen::Matrix3d& R, const Vec3& t)
     : Turned(std::move(inner), moment_map(R, t)) {}
@@ -10,6 +52,7 @@ Turned::Turned(std::unique_ptr<Problem> inner, const Eigen::Matrix3d& R, const V
 Turned::Turned(std::unique_ptr<Problem> inner, const Matrix10& map)
     : inner_(std::move(inner)), map_(map), constraints_(inner_->constraints()) {
   constraints_.matrix = inner_->constraints().matrix * map_;
+  if (inner_->nonlinear()) nonlinear_ = std::make_unique<TurnedNonlinear>(*inner_->nonlinear(), map_);
 }
 
 Traits Turned::traits() const {

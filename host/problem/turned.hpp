@@ -27,6 +27,7 @@ class Turned final : public Problem {
   [[nodiscard]] Moments gradient(const Moments& s) const override;
   [[nodiscard]] Matrix10 hessian(const Moments& s) const override;
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
+  [[nodiscard]] const Nonlinear* nonlinear() const override { return nonlinear_.get(); }
   [[nodiscard]] std::unique_ptr<Problem> next(const Moments& s) const override;
   [[nodiscard]] std::string scope(const MassModel& mass) const override;
   [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override {
@@ -39,6 +40,7 @@ class Turned final : public Problem {
   std::unique_ptr<Problem> inner_;
   Matrix10 map_;  ///< T
   LinearConstraints constraints_;
+  std::unique_ptr<const Nonlinear> nonlinear_;
 };
 
 }  // namespace kreisel::core

@@ -4,7 +4,6 @@
 #include <numbers>
 #include <utility>
 
-#include "problem/ray_direction.hpp"
 #include "problem/turned.hpp"
 #include "stopwatch.hpp"
 
@@ -17,8 +16,10 @@ bool same_pose(const Body& a, const Body& b) { return a.axis == b.axis && a.cont
 void lay_rays_across_the_cut(Body& body, const Body& made, const RunConfig& question) {
   const BodySpec& given = question.body;
   if (given.axis || given.up || given.axle.radius) return;
-  const auto axis = ray_direction(question.problem, settings_of(question, "problem"), body);
-  if (axis) reframe(body, made, *axis, given.contact.value_or(lowest_point(made.mesh, *axis)));
+  const ProblemEntry& asked = find_problem(question.problem);
+  if (!asked.rays) return;
+  if (const auto axis = asked.rays(settings_of(question, "problem"), body))
+    reframe(body, made, *axis, given.contact.value_or(lowest_point(made.mesh, *axis)));
 }
 
 /// May rays along `laid` serve this problem about another axis? A plane must not run along them: then whole
@@ -83,7 +84,7 @@ std::shared_ptr<const Body> Session::body_of(const RunConfig& question, const Bo
 std::shared_ptr<const Body> Session::pose_of(const RunConfig& question, const BodySpec& spec,
                                              const std::shared_ptr<const Body>& body) {
   Settings laid_by;
-  if (question.problem == "balance")
+  if (find_problem(question.problem).rays)
     laid_by = settings_of(question, "problem");
   else if (spec == made_as_)
     return body;
@@ -101,16 +102,14 @@ std::shared_ptr<const Session::Laid> Session::domain_of(const RunConfig& questio
   if (key.kind == "exact") key.wall.to_corners = false;  // of voxels
   // What is said in cells, or of the longest side, is another length in another frame.
   const bool in_any_frame = question.wall.unit == Wall::millimetres && !question.grid.cells;
-  // A form with variables of its own is refused by its solver, turned or not.
-  const bool turns = rays == Along::any_axis && in_any_frame && key.kind == "exact" &&
-                     question.formulation == "quadric" && question.problem != "balance" && !pose->axle &&
-                     !question.settings.contains("problem.form");
+  const ProblemEntry& asked = find_problem(question.problem);
+  const bool turns = rays == Along::any_axis && in_any_frame && key.kind == "exact" && !asked.rays &&
+                     find_formulation(question.formulation).offers.oracle && !pose->axle;
   if (turns && domain_.key()) {
     DomainKey as_laid = key;
     as_laid.axis = domain_.key()->axis;
     as_laid.contact = domain_.key()->contact;
-    if (domain_.holds(as_laid) && serves(find_problem(question.problem), *domain_.value()->body, *pose))
-      return domain_.value();
+    if (domain_.holds(as_laid) && serves(asked, *domain_.value()->body, *pose)) return domain_.value();
   }
   return stage("domain", domain_, std::move(key), [&] {
     return std::make_shared<const Laid>(Laid{std::make_shared<const RunDomain>(question, *pose), pose});

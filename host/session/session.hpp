@@ -98,7 +98,7 @@ class Session {
   struct PoseKey {
     std::shared_ptr<const Body> body;
     BodySpec spec;
-    Settings laid_by;  ///< the settings of `balance`, by which its rays are laid; else empty
+    Settings laid_by;  ///< of a problem that says how its rays are laid; else empty
     bool operator==(const PoseKey&) const = default;
   };
   struct DomainKey {

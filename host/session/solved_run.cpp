@@ -59,6 +59,7 @@ SolvedRun::SolvedRun(Session& session, const RunConfig& config, const Control& c
     : stop_(control.stop), solver_(&checked_solver(config)), options_(options_of(config, *solver_)) {
   stages_ = session.stages(config, control, rays);
   require_form(*solver_, *stages_.problem);
+  require_form(*solver_, *stages_.formulation);
   setup_seconds_ = whole_.seconds() - stages_.opening_seconds;
   result.config = config;
   result.config.solver = solver_->name;

@@ -10,14 +10,14 @@ class DirectNlp final : public Nlp {
  public:
   DirectNlp(const Task& task, std::vector<double> start) : Nlp(task, std::move(start)) {
     // The rows of C as pull-back weights.
-    for (const Row& row : rows_) weights_.push_back(task.mass.contrast * form(row).transpose());
+    for (const Row& row : rows_) weights_.push_back(form(row).transpose());
   }
 
   bool get_nlp_info(Index& n, Index& m, Index& jac, Index& hess, IndexStyleEnum& style) override {
     n = static_cast<Index>(n_ + last_count());
     m = static_cast<Index>(problem_row_count() + own_.lower.size());
     jac = static_cast<Index>(problem_row_count() * n_ + (margin() ? rows_.size() : 0) +
-                             equation_count() * last_count() + own_.entries.size());
+                             nonlinear_count() * last_count() + own_.entries.size());
     hess = 0;
     style = C_STYLE;
     return true;
@@ -68,8 +68,7 @@ class DirectNlp final : public Nlp {
     } else {
       weight = task_.problem.gradient(s);
     }
-    weight *= task_.mass.contrast;
-    task_.formulation.pull_back(variables(x), {&weight, 1}, {gradient, n_});
+    task_.pull_back(variables(x), {&weight, 1}, {gradient, n_});
     add_regulariser_gradient(x, gradient);
     return true;
   }
@@ -92,30 +91,29 @@ class DirectNlp final : public Nlp {
         for (std::size_t i = 0; i < n_; ++i) put(r, i);
       if (margin())
         for (std::size_t r = 0; r < rows_.size(); ++r) put(r, n_);
-      for (std::size_t e = 0; e < equation_count(); ++e)
+      for (std::size_t e = 0; e < nonlinear_count(); ++e)
         for (std::size_t i = 0; i < last_count(); ++i) put(rows_.size() + e, n_ + i);
       own_structure(static_cast<Index>(problem_row_count()), row, column);
       return true;
     }
     ++evaluations_.jacobian;
     if (new_x) known_ = false;
-    Eigen::MatrixXd equations;
+    Eigen::MatrixXd nonlinear;
     weights_.resize(rows_.size());
     if (own_form()) {
-      equations = own_form()->jacobian(total(x, new_x), last(x + n_));
-      for (const auto& equation : equations.rowwise())
-        weights_.push_back(task_.mass.contrast * equation.head<10>().transpose());
+      nonlinear = own_form()->jacobian(total(x, new_x), last(x + n_));
+      for (const auto& row_of : nonlinear.rowwise()) weights_.push_back(row_of.head<10>().transpose());
     }
     // A support polygon may have more rows than a pull-back takes at once.
     for (std::size_t r = 0; r < weights_.size(); r += Formulation::most_weights) {
       const std::size_t count = std::min(weights_.size() - r, Formulation::most_weights);
-      task_.formulation.pull_back(variables(x), std::span(weights_).subspan(r, count), {values, count * n_});
+      task_.pull_back(variables(x), std::span(weights_).subspan(r, count), {values, count * n_});
       values += count * n_;
     }
     if (margin())
       for (const Row& r : rows_) *values++ = r.slope;
-    for (const auto& equation : equations.rowwise())
-      values = std::copy(equation.begin() + 10, equation.end(), values);
+    for (const auto& row_of : nonlinear.rowwise())
+      values = std::copy(row_of.begin() + 10, row_of.end(), values);
     own_values(values);
     return true;
   }
@@ -124,18 +122,23 @@ class DirectNlp final : public Nlp {
   [[nodiscard]] Moments lagrange_weight(std::span<const double> x,
                                         std::span<const double> multipliers) const override {
     Moments weight = Moments::Zero();
-    if (!margin()) weight = task_.problem.gradient(task_.mass.total(task_.formulation.moments(x)));
+    if (!margin()) weight = task_.problem.gradient(task_.total(x));
     for (std::size_t r = 0; r < rows_.size(); ++r) weight += multipliers[r] * form(rows_[r]).transpose();
-    return task_.mass.contrast * weight;
+    if (own_form() && own_form()->variables() == 0) {
+      const auto rows = static_cast<Eigen::Index>(nonlinear_count());
+      weight += own_form()->jacobian(task_.total(x), {}).transpose() *
+                Eigen::Map<const Eigen::VectorXd>(multipliers.data() + rows_.size(), rows);
+    }
+    return weight;
   }
   const Moments& total(const Number* x, bool new_x) {
-    if (new_x || !known_) total_ = task_.mass.total(task_.formulation.moments(variables(x)));
+    if (new_x || !known_) total_ = task_.total(variables(x));
     known_ = true;
     return total_;
   }
 
   std::vector<Moments>
-      weights_;  ///< of the constraints, and then of the equations where they were last asked
+      weights_;  ///< of the constraints, and then of the nonlinear rows where they were last asked
   Moments total_ = Moments::Zero();
   bool known_ = false;
 };

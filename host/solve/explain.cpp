@@ -63,10 +63,16 @@ std::string explain_infeasible(const SolverEntry& solver, const Task& task, cons
   const LinearConstraints& c = task.problem.constraints();
   std::vector<Eigen::Index> all(static_cast<std::size_t>(c.matrix.rows()));
   for (std::size_t r = 0; r < all.size(); ++r) all[r] = static_cast<Eigen::Index>(r);
+  const Nonlinear* more = task.problem.nonlinear();
+  const auto only_nonlinear = [&] {
+    return fmt::format("{} cannot be met, though the linear constraints alone can", more->asked_by());
+  };
+  if (all.empty()) return more ? only_nonlinear() : "there are no constraints: the solver gave up";
   const std::vector<double> together = least_misses(solver, task, options, all);
   const double worst = std::ranges::max(together);
   // Solvers meet constraints to 1e-9; a miss of a millionth is none that anybody could measure.
   constexpr double none = 1e-6;
+  if (worst <= none && more && more->lower().size() > 0 && more->variables() == 0) return only_nonlinear();
   if (worst <= none) return "the constraints alone can be met: the solver stopped at a local infeasibility";
 
   std::vector<Miss> alone, shared;

@@ -117,7 +117,7 @@ Outcome solve(const Task& task, const SolverOptions& options, std::vector<std::u
       options.from.empty() ? task.formulation.start(options.start) : options.from;
   task.device.reset_kernel_seconds();
   const Stopwatch watch;
-  const Ipopt::SmartPtr<Nlp> nlp = wants_exact_hessian(options)
+  const Ipopt::SmartPtr<Nlp> nlp = wants_exact_hessian(task, options)
                                        ? make_lifted_nlp(task, start, options.convexify)
                                        : make_direct_nlp(task, start);
   IpoptSettings settings = ipopt_settings(task, options, *nlp, start);
@@ -150,7 +150,7 @@ Outcome solve(const Task& task, const SolverOptions& options, std::vector<std::u
   outcome.warm = nlp->warm();
   outcome.x = nlp->solution().empty() ? start : nlp->solution();
   outcome.auxiliary = nlp->auxiliary();
-  outcome.moments = task.mass.total(task.formulation.moments(outcome.x));
+  outcome.moments = task.total(outcome.x);
   outcome.objective = task.problem.value(outcome.moments);
   outcome.violation = violation(task.problem, outcome.moments);
   if (const auto statistics = app->Statistics(); IsValid(statistics)) {

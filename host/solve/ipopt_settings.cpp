@@ -79,7 +79,7 @@ const Settings& warm_settings() {
 /// shrinks.
 /// The margin has no slope in x; the constraints that bound it have.
 double natural_scale(const Task& task, const std::vector<double>& start, double reach) {
-  const Moments s = task.mass.total(task.formulation.moments(start));
+  const Moments s = task.total(start);
   std::vector<Moments> forms;
   if (task.problem.goal() == Goal::margin)
     for (const auto& row : task.problem.constraints().matrix.rowwise()) forms.emplace_back(row.transpose());
@@ -88,9 +88,8 @@ double natural_scale(const Task& task, const std::vector<double>& start, double 
   double largest = 0;
   const bool sizes_differ = task.formulation.refines();
   std::vector<double> gradient(start.size());
-  for (Moments& form : forms) {
-    form *= task.mass.contrast;
-    task.formulation.pull_back(start, {&form, 1}, gradient);
+  for (const Moments& form : forms) {
+    task.pull_back(start, {&form, 1}, gradient);
     for (double& g : gradient) g = std::abs(g);
     // Where cells differ in size by powers of two, so do their derivatives by powers of eight. What counts
     // are the many small ones.
@@ -109,9 +108,16 @@ bool parse(const std::string& text, T& value) {
 
 }  // namespace
 
-bool wants_exact_hessian(const SolverOptions& options) {
+bool wants_exact_hessian(const Task& task, const SolverOptions& options) {
   const auto asked = options.own.find("hessian_approximation");
-  return asked == options.own.end() || asked->second == "exact";
+  const bool moves = task.formulation.moving() > 0;
+  if (asked == options.own.end()) return !moves;
+  if (moves && asked->second == "exact")
+    throw InputError(
+        fmt::format("ipopt.hessian_approximation = exact with formulation '{}', which moves the body; "
+                    "expected limited-memory: there are first derivatives alone",
+                    task.formulation.name()));
+  return asked->second == "exact";
 }
 
 bool goes_on(const SolverOptions& options) {
@@ -120,9 +126,9 @@ bool goes_on(const SolverOptions& options) {
 
 IpoptSettings ipopt_settings(const Task& task, const SolverOptions& options, Nlp& nlp,
                              const std::vector<double>& start) {
-  const bool exact = wants_exact_hessian(options), linear = task.formulation.moments_are_linear();
+  const bool exact = wants_exact_hessian(task, options), linear = task.formulation.moments_are_linear();
   Settings settings = options.own;  // what the user gave stays, below
-  settings.insert({"hessian_approximation", "exact"});
+  settings.insert({"hessian_approximation", exact ? "exact" : "limited-memory"});
   if (options.untouched) {
     settings.insert({{"print_level", "0"}, {"sb", "yes"}, {"linear_solver", "mumps"}});
     return settings;

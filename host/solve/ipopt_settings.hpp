@@ -14,7 +14,7 @@ namespace kreisel::core {
 using IpoptSettings = std::map<std::string, std::string>;
 
 /// Whether Ipopt is asked for its lifted form with exact Hessians rather than for L-BFGS.
-[[nodiscard]] bool wants_exact_hessian(const SolverOptions& options);
+[[nodiscard]] bool wants_exact_hessian(const Task& task, const SolverOptions& options);
 
 /// Whether a solve starts from the multipliers of one before.
 [[nodiscard]] bool goes_on(const SolverOptions& options);

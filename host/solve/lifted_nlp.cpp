@@ -19,14 +19,13 @@ class LiftedNlp final : public Nlp {
       if (rows_[r].slope != 0)
         entries_.push_back({static_cast<int>(r), static_cast<int>(ten), rows_[r].slope});
     }
-    for (std::size_t k = 0; k < ten; ++k)
-      weights_.push_back(task.mass.contrast * Moments::Unit(static_cast<int>(k)));
+    for (std::size_t k = 0; k < ten; ++k) weights_.push_back(Moments::Unit(static_cast<int>(k)));
   }
 
   bool get_nlp_info(Index& n, Index& m, Index& jac, Index& hess, IndexStyleEnum& style) override {
     n = static_cast<Index>(n_ + ten + last_count());
     m = static_cast<Index>(ten + problem_row_count() + own_.lower.size());
-    jac = static_cast<Index>(ten * n_ + ten + entries_.size() + equation_count() * (ten + last_count()) +
+    jac = static_cast<Index>(ten * n_ + ten + entries_.size() + nonlinear_count() * (ten + last_count()) +
                              own_.entries.size());
     hess = static_cast<Index>((linear_ ? 0 : n_) + curved_count() * (curved_count() + 1) / 2 +
                               regulariser().size());
@@ -53,7 +52,7 @@ class LiftedNlp final : public Nlp {
       std::fill_n(z_L + n_, ten + last_count(), 0.0);
       std::fill_n(z_U + n_, ten + last_count(), 0.0);
     }
-    const Moments s = task_.mass.total(task_.formulation.moments(start_));
+    const Moments s = task_.total(start_);
     std::copy_n(s.data(), ten, x + n_);
     last_start(s, x + n_ + ten);
     return true;
@@ -83,7 +82,7 @@ class LiftedNlp final : public Nlp {
   bool eval_g(Index, const Number* x, bool, Index, Number* g) override {
     ++evaluations_.constraints;
     const Moments s = lifted(x);
-    const Moments gap = task_.mass.total(task_.formulation.moments(variables(x))) - s;
+    const Moments gap = task_.total(variables(x)) - s;
     std::copy_n(gap.data(), ten, g);
     problem_rows(s, x + n_ + ten, g + ten);
     own_rows(x, g + ten + problem_row_count());
@@ -102,7 +101,7 @@ class LiftedNlp final : public Nlp {
         for (std::size_t i = 0; i < n_; ++i) put(k, i);
       for (std::size_t k = 0; k < ten; ++k) put(k, n_ + k);
       for (const SparseRows::Entry& e : entries_) put(ten + e.row, static_cast<std::size_t>(s + e.column));
-      for (std::size_t e = 0; e < equation_count(); ++e)
+      for (std::size_t e = 0; e < nonlinear_count(); ++e)
         for (std::size_t k = 0; k < ten + last_count(); ++k) put(ten + rows_.size() + e, n_ + k);
       own_structure(static_cast<Index>(ten + problem_row_count()), row, column);
       return true;
@@ -111,16 +110,15 @@ class LiftedNlp final : public Nlp {
     if (linear_ && !constant_.empty()) {
       std::ranges::copy(constant_, values);
     } else {
-      task_.formulation.pull_back(variables(x), weights_, {values, ten * n_});
+      task_.pull_back(variables(x), weights_, {values, ten * n_});
       if (linear_) constant_.assign(values, values + ten * n_);
     }
     values += ten * n_;
     values = std::fill_n(values, ten, -1.0);
     for (const SparseRows::Entry& e : entries_) *values++ = e.value;
     if (own_form()) {
-      const Eigen::MatrixXd equations = own_form()->jacobian(lifted(x), last(x + n_ + ten));
-      for (const auto& equation : equations.rowwise())
-        values = std::copy(equation.begin(), equation.end(), values);
+      const Eigen::MatrixXd nonlinear = own_form()->jacobian(lifted(x), last(x + n_ + ten));
+      for (const auto& row_of : nonlinear.rowwise()) values = std::copy(row_of.begin(), row_of.end(), values);
     }
     own_values(values);
     return true;
@@ -158,20 +156,20 @@ class LiftedNlp final : public Nlp {
   }
 
  private:
-  /// How many variables f and the equations curve in.
+  /// How many variables f and the nonlinear rows curve in.
   [[nodiscard]] std::size_t curved_count() const { return ten + (own_form() ? last_count() : 0); }
   /// Hessian in them. The margin is linear in t: the structure is kept, and all is zero.
   [[nodiscard]] Eigen::MatrixXd curved(const Number* x, double factor, const Number* lambda) const {
     if (margin()) return Matrix10::Zero();
     if (!own_form()) return factor * task_.problem.hessian(lifted(x));
-    const Eigen::Map<const Eigen::VectorXd> equations(lambda + ten + rows_.size(),
-                                                      static_cast<Eigen::Index>(equation_count()));
+    const Eigen::Map<const Eigen::VectorXd> multipliers(lambda + ten + rows_.size(),
+                                                        static_cast<Eigen::Index>(nonlinear_count()));
     const auto a = last(x + n_ + ten);
-    return factor * own_form()->hessian(lifted(x), a) + own_form()->curvature(lifted(x), a, equations);
+    return factor * own_form()->hessian(lifted(x), a) + own_form()->curvature(lifted(x), a, multipliers);
   }
   [[nodiscard]] Moments lagrange_weight(std::span<const double>,
                                         std::span<const double> multipliers) const override {
-    return task_.mass.contrast * Eigen::Map<const Moments>(multipliers.data());
+    return Eigen::Map<const Moments>(multipliers.data());
   }
   [[nodiscard]] Moments lifted(const Number* x) const { return Eigen::Map<const Moments>(x + n_); }
 

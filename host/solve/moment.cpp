@@ -275,7 +275,7 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
 
   const Moments x = state.q / std::max(state.q.cwiseAbs().maxCoeff(), 1e-300);
   outcome.x.assign(x.data(), x.data() + 10);
-  outcome.moments = task.mass.total(task.formulation.moments(outcome.x));
+  outcome.moments = task.total(outcome.x);
   ++outcome.evaluations.objective, ++fine_passes;
   outcome.objective = problem.value(outcome.moments);
   outcome.violation = violation(problem, outcome.moments);

@@ -29,16 +29,16 @@ void Nlp::problem_row_bounds(Number* lower, Number* upper) const {
     *lower++ = std::max(row.lower, -infinity);
     *upper++ = std::min(row.upper, infinity);
   }
-  std::fill_n(lower, equation_count(), 0.0);
-  std::fill_n(upper, equation_count(), 0.0);
+  if (!own_form()) return;
+  for (const double bound : own_form()->lower()) *lower++ = std::max(bound, -infinity);
+  for (const double bound : own_form()->upper()) *upper++ = std::min(bound, infinity);
 }
 
 void Nlp::problem_rows(const Moments& s, const Number* at, Number* g) const {
   const double t = margin() ? *at : 0;
   for (const Row& row : rows_) *g++ = form(row).dot(s) + row.slope * t;
   if (!own_form()) return;
-  const Eigen::VectorXd residuals = own_form()->residuals(s, last(at));
-  std::ranges::copy(residuals, g);
+  std::ranges::copy(own_form()->rows(s, last(at)), g);
 }
 
 void Nlp::last_bounds(Number* lower, Number* upper) const {
@@ -70,7 +70,7 @@ bool Nlp::intermediate_callback(Ipopt::AlgorithmMode, Index iteration, Number ob
 std::vector<double> Nlp::slopes(std::span<const double> x) const {
   std::vector<double> slope(n_);
   const Moments weight = lagrange_weight(x, warm_.multipliers);
-  task_.formulation.pull_back(x, {&weight, 1}, slope);
+  task_.pull_back(x, {&weight, 1}, slope);
   return slope;
 }
 

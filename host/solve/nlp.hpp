@@ -13,8 +13,8 @@ namespace kreisel::core {
 /// add functions and derivatives.
 ///
 /// When the goal is the margin there is one variable more, t, the last; it is the objective, and each bound
-/// of a constraint is a row of its own: C s - t <= u and C s + t >= l. A problem's own variables (Auxiliary)
-/// are the last as well, and its equations are rows behind those of the constraints.
+/// of a constraint is a row of its own: C s - t <= u and C s + t >= l. A problem's own variables (Nonlinear)
+/// are the last as well, and its rows are behind those of the constraints.
 class Nlp : public Ipopt::TNLP {
  public:
   using Index = Ipopt::Index;
@@ -61,13 +61,15 @@ class Nlp : public Ipopt::TNLP {
   static constexpr double infinity = 2e19;  // Ipopt's nlp_upper_bound_inf is 1e19
 
   [[nodiscard]] bool margin() const { return task_.problem.goal() == Goal::margin; }
-  /// The problem's own variables, where it is minimised in them.
-  [[nodiscard]] const Auxiliary* own_form() const { return margin() ? nullptr : task_.problem.auxiliary(); }
+  /// The problem's nonlinear rows and own variables, where it has any.
+  [[nodiscard]] const Nonlinear* own_form() const { return margin() ? nullptr : task_.problem.nonlinear(); }
   /// How many variables come last: the margin, or the problem's own.
   [[nodiscard]] std::size_t last_count() const {
     return margin() ? 1 : own_form() ? own_form()->variables() : 0;
   }
-  [[nodiscard]] std::size_t equation_count() const { return own_form() ? own_form()->equations() : 0; }
+  [[nodiscard]] std::size_t nonlinear_count() const {
+    return own_form() ? static_cast<std::size_t>(own_form()->lower().size()) : 0;
+  }
   [[nodiscard]] Eigen::Map<const Eigen::VectorXd> last(const Number* at) const {
     return {at, static_cast<Eigen::Index>(last_count())};
   }
@@ -77,8 +79,8 @@ class Nlp : public Ipopt::TNLP {
   [[nodiscard]] auto form(const Row& row) const {
     return task_.problem.constraints().matrix.row(row.constraint);
   }
-  /// Rows of the problem: its constraints and then its equations.
-  [[nodiscard]] std::size_t problem_row_count() const { return rows_.size() + equation_count(); }
+  /// Rows of the problem: its constraints and then the nonlinear ones.
+  [[nodiscard]] std::size_t problem_row_count() const { return rows_.size() + nonlinear_count(); }
   void problem_row_bounds(Number* lower, Number* upper) const;
   /// @param at  where the last variables are
   void problem_rows(const Moments& s, const Number* at, Number* g) const;

@@ -106,7 +106,7 @@ Outcome solve_with_plane_sweep(const Task& task, const SolverOptions&) {
   task.device.reset_kernel_seconds();
   const Stopwatch watch;
   std::vector<double> x = task.formulation.start(Start::upper);
-  const Moments solid = task.mass.total(task.formulation.moments(x));
+  const Moments solid = task.total(x);
   Sweep sweep(pieces_of(task, x), solid, *stand);
   do {
     const Moments s = sweep.moments();
@@ -116,7 +116,7 @@ Outcome solve_with_plane_sweep(const Task& task, const SolverOptions&) {
   for (std::size_t i = 0; i < x.size(); ++i)
     if (sweep.carved(i)) x[i] = 0;
   outcome.x = std::move(x);
-  outcome.moments = task.mass.total(task.formulation.moments(outcome.x));
+  outcome.moments = task.total(outcome.x);
   outcome.objective = task.problem.value(outcome.moments);
   outcome.violation = violation(task.problem, outcome.moments);
   outcome.iterations = static_cast<int>(outcome.history.size()) - 1;

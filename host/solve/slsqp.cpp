@@ -299,7 +299,7 @@ Outcome solve_with_slsqp(const Task& task, const SolverOptions& options) {
   const Bounds& bounds = task.formulation.bounds();
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::clamp(x[i], bounds.lower[i], bounds.upper[i]);
   outcome.x = std::move(x);
-  outcome.moments = task.mass.total(task.formulation.moments(outcome.x));
+  outcome.moments = task.total(outcome.x);
   outcome.objective = task.problem.value(outcome.moments);
   outcome.violation = violation(task.problem, outcome.moments);
   judge(result, outcome);

@@ -12,7 +12,6 @@
 #include "solve/plane_sweep.hpp"
 #include "solve/slsqp.hpp"
 #include "stopwatch.hpp"
-#include "unknown_name.hpp"
 
 namespace kreisel::core {
 
@@ -67,39 +66,62 @@ SolverOptions parse_solver_options(const std::map<std::string, std::string>& set
   return options;
 }
 
-const std::vector<SolverEntry>& solvers() {
-  static const std::vector<SolverEntry> all = {
+Moments Task::total(std::span<const double> x) const {
+  return mass.total(formulation.moments(x)) + formulation.moved(x);
+}
+
+void Task::pull_back(std::span<const double> x, std::span<const Moments> weights,
+                     std::span<double> out) const {
+  std::vector<Moments> of_domain(weights.begin(), weights.end());
+  for (Moments& w : of_domain) w *= mass.contrast;
+  formulation.pull_back(x, of_domain, out);
+  formulation.add_moved(x, weights, out);
+}
+
+namespace {
+
+std::vector<SolverEntry> ours() {
+  return {
       {"ipopt",
-       "interior point: lifted exact Hessian, or L-BFGS (ipopt.hessian_approximation=limited-memory); its "
+       "interior point: lifted exact Hessian, or L-BFGS (ipopt.hessian_approximation=limited-memory); "
+       "its "
        "linear systems by our own arrow, or MUMPS (ipopt.linear_solver)",
        solve_with_ipopt,
-       {"voxel", "rayrep", "octree"},
+       {.derivatives = true},
        {},
+       true,
        true},
       {"moment",
        "sequential quadratic programming and Newton's method in the ten moments (docs/quadric.md)",
        solve_with_moments,
-       {"quadric"}},
+       {.oracle = true}},
       {"slsqp",
        "sequential least squares by NLopt, for small octrees: its memory grows with their square",
        solve_with_slsqp,
-       {"octree"}},
+       {.derivatives = true, .refinement = true}},
       {"plane-sweep",
        "carves from the far side until nothing brings the centre of mass nearer: a baseline for stand",
        solve_with_plane_sweep,
-       {"voxel"},
+       {.voxels = true},
        {"stand"}},
   };
+}
+
+}  // namespace
+
+Registry<SolverEntry>& solvers() {
+  static Registry<SolverEntry> all("solver", ours());
   return all;
 }
 
 const SolverEntry& find_solver(std::string_view name, std::string_view formulation) {
-  const auto entry = std::ranges::find(solvers(), name, &SolverEntry::name);
-  if (entry == solvers().end()) throw unknown_name("solver", name, names_of(solvers()));
-  if (std::ranges::find(entry->formulations, formulation) == entry->formulations.end())
-    throw InputError(fmt::format("solver '{}' does not work with formulation '{}'; it works with: {}", name,
-                                 formulation, fmt::join(entry->formulations, ", ")));
-  return *entry;
+  const SolverEntry& solver = solvers().find(name);
+  if (solver.works_with(find_formulation(formulation))) return solver;
+  std::vector<std::string_view> names;
+  for (const FormulationEntry& entry : formulations())
+    if (solver.works_with(entry)) names.push_back(entry.name);
+  throw InputError(fmt::format("solver '{}' does not work with formulation '{}'; it works with: {}", name,
+                               formulation, fmt::join(names, ", ")));
 }
 
 void require_problem(const SolverEntry& solver, std::string_view problem) {
@@ -108,18 +130,36 @@ void require_problem(const SolverEntry& solver, std::string_view problem) {
                                  fmt::join(solver.problems, ", ")));
 }
 
+namespace {
+
+/// @param asked  what the solver cannot take  @param takes  which solvers can
+InputError wants_another_solver(const SolverEntry& solver, std::string_view asked, bool SolverEntry::*takes) {
+  std::vector<std::string_view> names;
+  for (const SolverEntry& entry : solvers())
+    if (entry.*takes) names.push_back(entry.name);
+  return InputError(fmt::format("{} does not work with solver '{}'; expected solver {}", asked, solver.name,
+                                fmt::join(names, " or ")));
+}
+
+}  // namespace
+
 void require_form(const SolverEntry& solver, const Problem& problem) {
-  if (problem.auxiliary() && !solver.auxiliary)
-    throw InputError(
-        fmt::format("problem.form = angle does not work with solver '{}', which knows the moments alone; "
-                    "expected trace, the same problem, or solver ipopt",
-                    solver.name));
+  if (problem.nonlinear() && !solver.nonlinear)
+    throw wants_another_solver(solver, problem.nonlinear()->asked_by(), &SolverEntry::nonlinear);
+}
+
+void require_form(const SolverEntry& solver, const Formulation& formulation) {
+  if (formulation.moving() > 0 && !solver.moving)
+    throw wants_another_solver(solver,
+                               fmt::format("formulation '{}', which moves the body,", formulation.name()),
+                               &SolverEntry::moving);
 }
 
 const SolverEntry& default_solver(std::string_view formulation) {
+  const FormulationEntry& asked = find_formulation(formulation);
   for (const SolverEntry& entry : solvers())
-    if (std::ranges::find(entry.formulations, formulation) != entry.formulations.end()) return entry;
-  throw unknown_name("formulation", formulation, names_of(formulations()));
+    if (entry.works_with(asked)) return entry;
+  throw InputError(fmt::format("no solver works with formulation '{}'; expected one that does", formulation));
 }
 
 void Outcome::add_before(const Outcome& before) {

@@ -60,7 +60,7 @@ struct Outcome {
   double objective = 0;                                ///< f(moments)
   double violation = 0;                                ///< largest constraint violation at `moments`
   double dual_infeasibility = 0, complementarity = 0;  ///< of the problem as it is posed, unscaled
-  std::vector<double> auxiliary;                       ///< the problem's own variables, where it has any
+  std::vector<double> auxiliary;                       ///< the problem's own variables (Nonlinear)
   std::vector<double> multipliers;                     ///< of the constraints, where the solver gives them
   double kernel_seconds = 0, solve_seconds = 0;        ///< the first is part of the second
   Evaluations evaluations;
@@ -85,6 +85,11 @@ struct Task {
   const MassModel& mass;
   device::Device& device;
   std::stop_token stop = {};  ///< ends the solve as interrupted
+
+  /// The total moments of x.
+  [[nodiscard]] Moments total(std::span<const double> x) const;
+  /// (d total/dx)^T w for every w of `weights`, laid out as in Formulation::pull_back().
+  void pull_back(std::span<const double> x, std::span<const Moments> weights, std::span<double> out) const;
 };
 
 struct SolverOptions {
@@ -108,23 +113,30 @@ struct SolverOptions {
 [[nodiscard]] SolverOptions parse_solver_options(const std::map<std::string, std::string>& settings);
 
 struct SolverEntry {
-  std::string_view name, summary;
+  std::string name, summary;
   Outcome (*solve)(const Task& task, const SolverOptions& options);
-  /// Names of the formulations it works with.
-  std::vector<std::string_view> formulations;
-  std::vector<std::string_view> problems = {};  ///< that it is made for; empty: all
-  bool auxiliary = false;                       ///< takes problems with variables of their own
+  Offers needs = {};                       ///< of a formulation
+  std::vector<std::string> problems = {};  ///< that it is made for; empty: all
+  bool nonlinear = false;                  ///< takes problems with nonlinear rows or variables of their own
+  bool moving = false;                     ///< takes formulations with variables that move the body
+
+  [[nodiscard]] bool works_with(const FormulationEntry& formulation) const {
+    return formulation.offers.has(needs);
+  }
 };
 
-[[nodiscard]] const std::vector<SolverEntry>& solvers();
+/// Those that there are, and such as were added.
+[[nodiscard]] Registry<SolverEntry>& solvers();
 
 /// @throws InputError  unknown solver, or one that cannot work with the formulation
 [[nodiscard]] const SolverEntry& find_solver(std::string_view name, std::string_view formulation);
 
 /// @throws InputError  a solver that is not made for the problem
 void require_problem(const SolverEntry& solver, std::string_view problem);
-/// @throws InputError  the problem has variables of its own, and the solver takes none
+/// @throws InputError  the problem has nonlinear rows or variables of its own, and the solver takes none
 void require_form(const SolverEntry& solver, const Problem& problem);
+/// @throws InputError  the formulation has variables that move the body, and the solver takes none
+void require_form(const SolverEntry& solver, const Formulation& formulation);
 
 /// The first solver that works with a formulation. @throws InputError  unknown formulation
 [[nodiscard]] const SolverEntry& default_solver(std::string_view formulation);

@@ -8,21 +8,23 @@ Lengths in mm, masses in g, densities in g/cm^3, model coordinates; what ends in
 its units. Everything that goes wrong is an Error whose text is one line. records() needs h5py alone.
 """
 
+import importlib
+
 from ._records import BadRecord, records
 
-__all__ = ["BadRecord", "Body", "Device", "Error", "InputError", "Iteration", "Map", "Nesting", "Part", "Place",
-           "Question", "Session", "Solution", "Verdict", "nest", "records", "verify"]
+_compiled = {"Body", "Device", "Error", "InputError", "Inspection", "Iteration", "Map", "Nesting", "Part", "Place",
+             "Question", "Session", "Shell", "Solid", "Solution", "Verdict", "add_problem", "inspect", "nest", "verify"}
+_plain = {"Problem", "S1", "SX", "SY", "SZ", "SXY", "SYZ", "SXZ", "SXX", "SYY", "SZZ"}
 
-_compiled = set(__all__) - {"BadRecord", "records"}
+__all__ = sorted({"BadRecord", "records"} | _compiled | _plain)
 
 
 def __getattr__(name):
-    """The compiled part is loaded when it is first asked for: records are read without it."""
-    if name in _compiled:
-        from . import _session
-        value = getattr(_session, name)
-        globals()[name] = value
-        return value
+    """The rest is loaded when it is first asked for: records are read without numpy and the compiled part."""
+    if name in _compiled or name in _plain:
+        module = importlib.import_module("._session" if name in _compiled else "._problem", __name__)
+        globals()[name] = getattr(module, name)
+        return globals()[name]
     raise AttributeError(f"module 'kreisel' has no attribute '{name}'")
 
 

@@ -3,11 +3,11 @@
 import numpy as np
 
 from . import _core
-from ._core import (Body, Device, Error, InputError, Iteration, Nesting, Part, Question, Solution, Verdict, nest,
-                    verify)
+from ._core import (Body, Device, Error, InputError, Inspection, Iteration, Nesting, Part, Question, Shell, Solid,
+                    Solution, Verdict, add_problem, inspect, nest, verify)
 
-__all__ = ["Body", "Device", "Error", "InputError", "Iteration", "Map", "Nesting", "Part", "Place", "Question",
-           "Session", "Solution", "Verdict", "nest", "verify"]
+__all__ = ["Body", "Device", "Error", "InputError", "Inspection", "Iteration", "Map", "Nesting", "Part", "Place",
+           "Question", "Session", "Shell", "Solid", "Solution", "Verdict", "add_problem", "inspect", "nest", "verify"]
 
 
 class Place:

@@ -147,6 +147,25 @@ TEST_F(Report, LeavesAnEarlierPageAloneWhenItCannotBeWritten) {
   EXPECT_TRUE(fs::is_directory(folder_ / "taken.html"));
 }
 
+TEST_F(Report, ComparesTwoFoldersRunByRun) {
+  const BenchAnswer again = bench(fmt::format("run {} --results {}", file("tiny.toml"), file("again")));
+  ASSERT_EQ(again.code, 4) << again.out;
+  const BenchAnswer a =
+      bench(fmt::format("compare {} {} --csv {}", file("runs"), file("again"), file("c.csv")));
+  EXPECT_EQ(a.code, 0) << a.out;
+  EXPECT_NE(a.out.find("solver.start=lower"), std::string::npos) << a.out;
+  EXPECT_NE(a.out.find("geometric mean of B / A"), std::string::npos) << a.out;
+  EXPECT_EQ(count(content_of(file("c.csv")), "\n"), 4u) << "a heading, two runs, one that failed in both";
+  // A run is never a hundred times slower than itself, and always slower than next to nothing.
+  EXPECT_EQ(bench(fmt::format("compare {} {} --fail-above 100", file("runs"), file("again"))).code, 0);
+  const BenchAnswer slow = bench(fmt::format("compare {} {} --fail-above 1e-3", file("runs"), file("again")));
+  EXPECT_EQ(slow.code, 1) << slow.out;
+  EXPECT_NE(slow.out.find("2 of 3 runs"), std::string::npos) << slow.out;
+  for (const std::string wrong : {"--fail-above 0", "--fail-above x"})
+    EXPECT_EQ(bench(fmt::format("compare {} {} {}", file("runs"), file("again"), wrong)).code, 2);
+  EXPECT_EQ(bench(fmt::format("compare {} {}", file("runs"), file("nothing"))).code, 2);
+}
+
 TEST_F(Report, DrawsEveryFigureOfAFolderAlone) {
   for (const std::string script : {"settings", "history", "inertia", "published"}) {
     const std::string png = file(script + ".png");

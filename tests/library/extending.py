@@ -32,15 +32,12 @@ def edited(source, said, blocks, where):
             at = source.index("#include \"" + block.split('"')[1].split("/")[0] + "/", source.index("\n\n"))
             source = source[:at] + block + source[at:]
         elif function:
-            begin = source.index(f"& {function[1]}() {{")
+            begin = source.index(f" {function[1]}() {{")
             end = source.index("\n  };\n", begin)
             last = source[:end].rstrip()
             source = last + ("" if last.endswith(",") else ",") + "\n" + block.rstrip().rstrip(",") + source[end:]
-        else:  # a name more in a line
-            line = block.rstrip("\n")
-            before = re.sub(r', "\w+"(\}+,)', r"\1", line)
-            assert before != line and source.count(before + "\n") == 1, f"{where}: no line '{before}'"
-            source = source.replace(before + "\n", line + "\n")
+        else:
+            raise AssertionError(f"{where}: where do these lines go?\n{block}")
     return source
 
 

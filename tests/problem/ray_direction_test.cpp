@@ -21,7 +21,7 @@ std::optional<Vec3> towards(const Vec3& in_body, const std::string& line = "") {
   const Vec3 p = body.frame.to_model(Vec3(0, 0, 0.25) + in_body);
   ProblemSettings settings = {{"point", fmt::format("{},{},{}", p[0], p[1], p[2])}};
   if (!line.empty()) settings["line"] = line;
-  return ray_direction("balance", settings, body);
+  return rays_of_balance(settings, body);
 }
 
 TEST(RayDirection, IsTheModelsAxisMostSquarelyAcrossTheCut) {
@@ -43,7 +43,10 @@ TEST(RayDirection, OnALineGoesByWhatIsAcrossIt) {
   EXPECT_FALSE(towards({0, 0, 0.01}, "0,1,0"));
 }
 
-TEST(RayDirection, IsOpenInNoOtherProblem) { EXPECT_FALSE(ray_direction("spin", {}, lying_box())); }
+TEST(RayDirection, IsOpenInNoOtherProblem) {
+  for (const ProblemEntry& entry : problems())
+    EXPECT_EQ(static_cast<bool>(entry.rays), entry.name == "balance");
+}
 
 }  // namespace
 }  // namespace kreisel::core

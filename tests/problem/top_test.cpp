@@ -55,11 +55,11 @@ TEST(PrincipalAngle, StartsWhereTheLateralProductVanishesAndItsValueIsTheTraceFo
     const SpinWeights weights{.moment = 1.5, .gamma_i = 0.7};
     const PrincipalAngle angle(weights);
     const Eigen::VectorXd phi = angle.start(s);
-    EXPECT_NEAR(angle.residuals(s, phi)[0], 0, round_off);
+    EXPECT_NEAR(angle.rows(s, phi)[0], 0, round_off);
     EXPECT_NEAR(angle.value(s, phi), weights.value(s), round_off * weights.value(s));
     // Elsewhere both differ by what is left beside the diagonal: tr(J^2) = Ia^2 + Ib^2 + 2 g^2.
     const Eigen::VectorXd other = phi.array() + 0.3;
-    const double g = angle.residuals(s, other)[0] / (s[SXX] + s[SYY]);
+    const double g = angle.rows(s, other)[0] / (s[SXX] + s[SYY]);
     EXPECT_GT(std::abs(g), 1e-3);
     EXPECT_NEAR(angle.value(s, other) + 0.7 * 2 * g * g, weights.value(s), round_off * weights.value(s));
   }
@@ -86,7 +86,7 @@ TEST(PrincipalAngle, DerivativesMatchCentralDifferences) {
       const double width = 2 * d.step();
       EXPECT_NEAR(gradient[k], (angle.value(up, phi_up) - angle.value(down, phi_down)) / width,
                   d.tolerance(angle.value(s, phi) + 1));
-      EXPECT_NEAR(jacobian(0, k), (angle.residuals(up, phi_up) - angle.residuals(down, phi_down))[0] / width,
+      EXPECT_NEAR(jacobian(0, k), (angle.rows(up, phi_up) - angle.rows(down, phi_down))[0] / width,
                   d.tolerance(1));
       const Eigen::VectorXd column = (angle.gradient(up, phi_up) - angle.gradient(down, phi_down)) / width,
                             bend = (angle.jacobian(up, phi_up) - angle.jacobian(down, phi_down)).transpose() /

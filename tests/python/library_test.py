@@ -22,6 +22,155 @@ def box(edges=(40.0, 30.0, 24.0), centre=(0, 0, 0)):
     return corners * edges + centre, faces
 
 
+class Lowest(kr.Problem):
+    """The lowest centre of mass of a given share of the mass: what lies below a plane."""
+
+    def __init__(self, share):
+        unit = np.eye(10)
+        self.share = share
+        self.rows = [("mass", unit[kr.S1], share, share), ("cx", unit[kr.SX], 0, 0), ("cy", unit[kr.SY], 0, 0)]
+
+    def value(self, s):
+        return s[kr.SZ] / self.share
+
+    def gradient(self, s):
+        return np.eye(10)[kr.SZ] / self.share
+
+    def verify(self, s, length_mm):
+        return abs(s[kr.S1] / self.share - 1) < 1e-3, f"{length_mm * s[kr.SZ] / s[kr.S1]:.3f} mm up"
+
+
+class WithinACircle(Lowest):
+    """As far to +x as a circle about the axis allows: a row that is not linear."""
+
+    def __init__(self, share, radius):
+        super().__init__(share)
+        self.rows = self.rows[:1]
+        self.limits = [(-np.inf, radius ** 2)]
+
+    def value(self, s):
+        return -s[kr.SX]
+
+    def gradient(self, s):
+        return -np.eye(10)[kr.SX]
+
+    def nonlinear(self, s):
+        return np.array([(s[kr.SX] ** 2 + s[kr.SY] ** 2) / s[kr.S1] ** 2])
+
+    def jacobian(self, s):
+        row = np.zeros((1, 10))
+        row[0, [kr.S1, kr.SX, kr.SY]] = (-2 * self.nonlinear(s)[0] / s[kr.S1], 2 * s[kr.SX] / s[kr.S1] ** 2,
+                                        2 * s[kr.SY] / s[kr.S1] ** 2)
+        return row
+
+    def curvature(self, s, multipliers):
+        h, m = np.zeros((10, 10)), s[kr.S1]
+        h[kr.S1, kr.S1] = 6 * self.nonlinear(s)[0] / m ** 2
+        for k in (kr.SX, kr.SY):
+            h[k, k] = 2 / m ** 2
+            h[k, kr.S1] = h[kr.S1, k] = -4 * s[k] / m ** 3
+        return multipliers[0] * h
+
+
+class Problems(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        kr.add_problem("py-lowest", lambda settings, body: Lowest(float(settings.get("mass", 0.6))), upright=True)
+        kr.add_problem("py-circle", lambda settings, body: WithinACircle(0.6, 0.05), upright=True)
+
+    def test_is_solved_and_made_into_a_part_that_does_it(self):
+        session = kr.Session(kr.Body(*box()))
+        answer = session.solve("py-lowest", settings={"problem.mass": 0.5}, cells=48)
+        self.assertEqual(answer.end, "optimal")
+        length = answer.length_mm
+        # Moments are g, g mm, ...; half of a box of 28.8 g at 1 g/cm^3, above its middle and as low as walls allow.
+        self.assertAlmostEqual(answer.moments[0], 0.5 * 40 * 30 * 24e-3, delta=1e-6)
+        self.assertLess(answer.objective * length, 12)
+        self.assertTrue(answer.verdict)
+        part = session.part(answer)
+        self.assertTrue(part.verdict, part.verdict.text)
+        self.assertIn("mm up", part.verdict.text)
+
+    def test_agrees_with_ray_reps_by_ipopt(self):
+        session = kr.Session(kr.Body(*box()))
+        exact = session.solve("py-lowest", cells=32)
+        rays = session.solve("py-lowest", formulation="rayrep", cells=32)
+        self.assertEqual((exact.end, rays.end), ("optimal", "optimal"))
+        # Columns keep up to half a cell less than the exact wall: 1.25 mm of 30.7, times what that moves.
+        self.assertAlmostEqual(exact.objective, rays.objective, delta=0.02)
+
+    def test_nonlinear_rows_are_met_by_ipopt_and_refused_by_others(self):
+        session = kr.Session(kr.Body(*box()))
+        answer = session.solve("py-circle", formulation="rayrep", cells=32)
+        self.assertEqual(answer.end, "optimal")
+        self.assertAlmostEqual(-answer.objective, 0.05 * 0.6, delta=1e-6)
+        with self.assertRaisesRegex(kr.InputError, "nonlinear rows of problem 'py-circle'.*expected solver ipopt"):
+            session.solve("py-circle")
+
+    def test_names_are_taken_once(self):
+        for name in ("py-lowest", "spin", ""):
+            with self.assertRaises(kr.InputError):
+                kr.add_problem(name, lambda settings, body: Lowest(0.5))
+
+    def test_what_a_problem_raises_arrives(self):
+        class Broken(Lowest):
+            def value(self, s):
+                raise ZeroDivisionError("of mine")
+
+        class Crooked(Lowest):
+            def gradient(self, s):
+                return np.zeros(3)
+
+        kr.add_problem("py-broken", lambda settings, body: Broken(0.5), upright=True)
+        kr.add_problem("py-crooked", lambda settings, body: Crooked(0.5), upright=True)
+        kr.add_problem("py-none", lambda settings, body: None)
+        session = kr.Session(kr.Body(*box()))
+        for formulation in ("quadric", "rayrep"):
+            with self.assertRaisesRegex(ZeroDivisionError, "of mine"):
+                session.solve("py-broken", formulation=formulation, cells=16)
+            with self.assertRaisesRegex(kr.InputError, "gradient.*expected"):
+                session.solve("py-crooked", formulation=formulation, cells=16)
+        with self.assertRaises(AttributeError):
+            session.solve("py-none", cells=16)
+        self.assertEqual(session.solve("py-lowest", cells=16).end, "optimal")
+
+    def test_may_keep_the_body_it_was_asked_of(self):
+        kept = []
+
+        def make(settings, body):
+            kept.append(body)
+            return Lowest(0.6)
+
+        kr.add_problem("py-keeps", make, upright=True)
+        session = kr.Session(kr.Body(*box()))
+        answer = session.solve("py-keeps", cells=16)
+        del session
+        np.testing.assert_allclose(kept[0].solid[0], 1, rtol=1e-12)
+        self.assertEqual(kept[0].vertices.shape, (8, 3))
+        self.assertAlmostEqual(kept[0].length_mm, answer.length_mm)
+
+
+class Inspections(unittest.TestCase):
+    def test_weighs_a_box_in_closed_form(self):
+        seen = kr.inspect(*box((10, 20, 30)), density=2)
+        self.assertTrue(seen)
+        self.assertAlmostEqual(seen.solid.volume, 6000)
+        self.assertAlmostEqual(seen.solid.mass, 12)
+        np.testing.assert_allclose(seen.solid.principal, (500, 1000, 1300), rtol=1e-12)
+        self.assertEqual([s.genus for s in seen.shells], [0])
+        self.assertFalse(seen.solid.verdicts["spin"])
+
+    def test_says_what_is_wrong_without_raising(self):
+        vertices, faces = box()
+        seen = kr.inspect(vertices, faces[:-1])
+        self.assertFalse(seen)
+        self.assertEqual(seen.checks["open_edges"], 3)
+        self.assertIn("watertight", seen.error)
+        self.assertIsNone(seen.solid)
+        with self.assertRaises(kr.InputError):
+            kr.inspect("no-such-file.off")
+
+
 class Bodies(unittest.TestCase):
     def test_moments_of_a_box_are_in_closed_form(self):
         a, b, c = 40.0, 30.0, 24.0

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "problem/spin.hpp"
+#include "solve/nonlinear_problem.hpp"
 #include "solve/test_tasks.hpp"
 
 namespace kreisel::core {
@@ -93,8 +94,9 @@ enum class Form { direct, full, convex };
 /// Finite bounds of Margin, below.
 constexpr int margin_rows = 6;
 
-/// Spin with equations alone, or for its margin inequalities, equations and bounds on one side.
-enum class Asked { spin, margin };
+/// Spin with equations alone, for its margin inequalities, equations and bounds on one side, or a row that is
+/// not linear.
+enum class Asked { spin, margin, nonlinear };
 
 struct Kind {
   Form form;
@@ -109,7 +111,9 @@ std::string name_of(const Kind& kind) {
   name += kind.formulation;
   for (const auto& [key, value] : kind.settings) name += "_" + value;
   if (kind.filling == Filling::from_below) name += "_from_below";
-  return name + (kind.asked == Asked::margin ? "_margin" : "");
+  return name + (kind.asked == Asked::margin      ? "_margin"
+                 : kind.asked == Asked::nonlinear ? "_nonlinear"
+                                                  : "");
 }
 
 std::ostream& operator<<(std::ostream& out, const Kind& kind) { return out << name_of(kind); }
@@ -156,6 +160,7 @@ class NlpOf : public testing::TestWithParam<Kind> {
   }
 
   [[nodiscard]] const Problem& asked() const {
+    if (GetParam().asked == Asked::nonlinear) return circle_;
     return margin() ? static_cast<const Problem&>(margin_) : spin_;
   }
   [[nodiscard]] bool margin() const { return GetParam().asked == Asked::margin; }
@@ -206,6 +211,7 @@ class NlpOf : public testing::TestWithParam<Kind> {
 
   const Spin spin_{{.lambda = 0.3, .gamma_i = 1}};
   const Margin margin_;
+  const WithinACircle circle_{0.9, 0.1};
   MassModel mass_{box_moments({0.02, -0.01, 0.6}, {1.5, 1.2, 0.75}), 0.8};
   std::unique_ptr<Formulation> formulation_;
   Dense nlp_;
@@ -312,7 +318,7 @@ TEST_P(NlpOf, ARowForEveryFiniteBoundHoldsWhenTheMarginDoes) {
 }
 
 TEST_P(NlpOf, ConstraintRowsAreTheProblemsAndTheFormulations) {
-  if (margin()) GTEST_SKIP() << "its rows are tested above";
+  if (GetParam().asked != Asked::spin) GTEST_SKIP() << "other rows, of other tests";
   Random random(64);
   const VectorXd x = random_point(random);
   const VectorXd g = nlp_.g(x);
@@ -344,7 +350,8 @@ std::vector<Kind> kinds() {
     for (const Filling filling : {Filling::segment, Filling::from_below})
       all.push_back({form, "rayrep", {}, Asked::margin, filling});
     all.push_back({form, "rayrep", {{"bounds", "ordered"}}, Asked::margin});
-    all.push_back({form, "voxel", {}, Asked::margin});
+    for (const Asked asked : {Asked::margin, Asked::nonlinear}) all.push_back({form, "voxel", {}, asked});
+    all.push_back({form, "rayrep", {}, Asked::nonlinear});
   }
   return all;
 }

@@ -1,6 +1,7 @@
 // commands.hpp - what `bench` can do; main.cpp parses, each command prints. All return an exit code.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,12 +31,20 @@ struct ExperimentOptions {
 int run_experiment(const ExperimentOptions& options);
 
 struct InspectOptions {
-  RunConfig config;       ///< its body and device
+  RunConfig config;       ///< its body
   std::string json_file;  ///< empty: not written; "-" is standard output
 };
 /// Everything about a mesh: checks, repairs, shells; as a solid its mass properties and what it does already.
 /// @throws InputError  after all that can be said was printed: why the mesh is no solid
 int inspect_model(const InspectOptions& options);
+
+struct CompareOptions {
+  std::string a, b;                  ///< folders of records, or one each
+  std::optional<double> fail_above;  ///< a ratio of seconds, B / A
+  std::string csv_file;              ///< empty: not written
+};
+/// Two folders of results, run by run. @throws InputError  no run in common, after those that are not
+int compare_results(const CompareOptions& options);
 
 struct MapOptions {
   RunConfig config;

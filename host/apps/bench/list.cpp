@@ -41,8 +41,7 @@ int list() {
   for (const SolverEntry& s : solvers()) fmt::print(" {:<12}", s.name);
   for (const FormulationEntry& f : formulations()) {
     fmt::print("\n  {:<12}", f.name);
-    for (const SolverEntry& s : solvers())
-      fmt::print(" {:<12}", std::ranges::find(s.formulations, f.name) != s.formulations.end() ? "yes" : "no");
+    for (const SolverEntry& s : solvers()) fmt::print(" {:<12}", s.works_with(f) ? "yes" : "no");
   }
   fmt::print("\n");
   print_experiments();

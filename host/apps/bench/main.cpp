@@ -21,6 +21,7 @@ struct Parsed {
   OnceOptions once;
   ExperimentOptions experiment;
   ReportOptions report;
+  CompareOptions compare;
   MapOptions map;
   SimulateOptions simulate;
   NestOptions nest;
@@ -49,7 +50,7 @@ void add_run_options(CLI::App& app, Parsed& parsed) {
 }
 
 void add_inspect_options(CLI::App& app, Parsed& parsed) {
-  parsed.run.add(app, {"model", "axis", "contact", "up", "unit", "size", "density", "fineness", "device"});
+  parsed.run.add(app, {"model", "axis", "contact", "up", "unit", "size", "density", "fineness"});
   app.add_option("--json", parsed.once.json_file, "write it all as JSON; - for standard output");
 }
 
@@ -126,6 +127,13 @@ int dispatch(int argc, char** argv) {
       ->type_name("FILE ...");
   CLI::App* shown = app.add_subcommand("show", "print records");
   shown->add_option("records", parsed.paths, "HDF5 files, or folders of them")->required();
+  CLI::App* compared = app.add_subcommand(
+      "compare", "two folders of records run by run: ratios of time, differences of objective");
+  compared->add_option("A", parsed.compare.a, "records of one commit, machine or setting")->required();
+  compared->add_option("B", parsed.compare.b, "the same runs of another")->required();
+  compared->add_option("--fail-above", parsed.compare.fail_above,
+                       "exit code 1 where a run of B takes more than so many times as long");
+  compared->add_option("--csv", parsed.compare.csv_file, "write the table as CSV, too");
   CLI::App* listed =
       app.add_subcommand("list", "models, problems, formulations, solvers, experiments; which pairs work");
   CLI::App* probed = app.add_subcommand("devices", "OpenCL devices, with measured bandwidth and flop rate");
@@ -157,6 +165,7 @@ int dispatch(int argc, char** argv) {
   if (*reported)
     return parsed.report.markdown.empty() ? report(parsed.report) : report_markdown(parsed.report);
   if (*shown) return show(parsed.paths);
+  if (*compared) return compare_results(parsed.compare);
   if (*listed) return list();
   if (*probed) return devices(!parsed.no_measure, parsed.only_device);
   if (argc == 1) {

@@ -1,0 +1,55 @@
+// inspection.hpp - everything about a mesh: what is wrong with it, what is mended, what it weighs as a solid.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kreisel/export.hpp"
+#include "kreisel/mesh.hpp"
+#include "kreisel/verdict.hpp"
+
+namespace kreisel {
+
+/// Connected triangles, after the repairs.
+struct ShellReport {
+  std::size_t triangles = 0;
+  bool closed = false;
+  long euler = 0;            ///< Euler characteristic
+  std::optional<int> genus;  ///< where it is closed
+  double volume = 0;         ///< enclosed, units of the file; negative: inside out
+  std::size_t depth = 0;     ///< how many shells are around it
+};
+
+/// A solid at rest in model coordinates: mm, g.
+struct SolidReport {
+  Vec3 extent, centre;  ///< of the bounding box; of mass
+  double volume = 0, mass = 0;
+  Vec3 principal;        ///< moments of inertia about the centre of mass, g mm^2, ascending
+  Eigen::Matrix3d axes;  ///< columns, in that order
+  std::map<std::string, Verdict> verdicts;  ///< what each problem says of it as it is
+};
+
+struct Inspection {
+  std::string format;                         ///< in words
+  std::size_t vertices = 0, triangles = 0;    ///< as read
+  std::map<std::string, std::size_t> checks;  ///< how many of each fault; names as in docs/output.md
+  /// Two triangles that run through each other, after the repairs, counted from 0; nothing where none do.
+  std::optional<std::array<std::size_t, 2>> first_crossing;
+  std::vector<std::string> repairs;  ///< what was mended, one line each
+  std::vector<ShellReport> shells;
+  std::string error;                 ///< why it bounds no solid; empty: it does
+  std::optional<SolidReport> solid;  ///< where it does
+};
+
+/// Needs no device. @param mm_per_unit  of formats that do not say  @param density  g/cm^3
+/// @throws InputError  no readable file; that it bounds no solid is an answer (`error`)
+[[nodiscard]] KREISEL_API Inspection inspect(const std::filesystem::path& file, double mm_per_unit = 1,
+                                             double density = 1);
+/// The same of a mesh in memory, mm.
+[[nodiscard]] KREISEL_API Inspection inspect(Mesh mesh, double density = 1);
+
+}  // namespace kreisel

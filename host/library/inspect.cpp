@@ -1,0 +1,25 @@
+#include "session/inspect.hpp"
+
+#include "library/state.hpp"
+
+namespace kreisel {
+
+Inspection inspect(const std::filesystem::path& file, double mm_per_unit, double density) {
+  return translated([&] {
+    core::BodySpec spec;
+    spec.model = file.string();
+    spec.density = density;
+    return core::inspect(core::read_source(file, mm_per_unit), spec);
+  });
+}
+
+Inspection inspect(Mesh mesh, double density) {
+  return translated([&] {
+    core::BodySpec spec;
+    spec.model = "mesh";
+    spec.density = density;
+    return core::inspect(core::source_of(std::move(mesh)), spec);
+  });
+}
+
+}  // namespace kreisel

@@ -1,0 +1,33 @@
+#include "problem/problem.hpp"
+
+#include <utility>
+
+#include "error.hpp"
+
+namespace kreisel {
+
+void add_problem(ProblemSpec spec) {
+  if (!spec.make) throw InputError("problem '" + spec.name + "' without a way to make it; expected `make`");
+  core::ProblemEntry entry;
+  entry.name = std::move(spec.name);
+  entry.summary = std::move(spec.summary);
+  entry.upright = spec.upright;
+  entry.centred = spec.centred;
+  entry.make = [make = std::move(spec.make), name = entry.name](const core::ProblemSettings& settings,
+                                                                const core::Body& body) {
+    std::unique_ptr<Problem> problem = make(settings, {body.mesh, body.frame.rotation, body.frame.origin,
+                                                       body.frame.length, body.solid, body.density});
+    if (!problem) throw InputError("problem '" + name + "' was not made; expected an object");
+    const LinearConstraints& c = problem->constraints();
+    const Eigen::Index rows = c.matrix.rows();
+    if (c.lower.size() != rows || c.upper.size() != rows || static_cast<Eigen::Index>(c.names.size()) != rows)
+      throw InputError("problem '" + name + "': " + std::to_string(rows) + " rows with " +
+                       std::to_string(c.lower.size()) + " lower and " + std::to_string(c.upper.size()) +
+                       " upper bounds and " + std::to_string(c.names.size()) +
+                       " names; expected one of each a row");
+    return problem;
+  };
+  core::problems().add(std::move(entry));
+}
+
+}  // namespace kreisel

@@ -1,0 +1,92 @@
+#include "session/inspect.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <utility>
+
+#include "error.hpp"
+#include "mesh/solid/check.hpp"
+#include "problem/problem.hpp"
+
+namespace kreisel::core {
+namespace {
+
+std::map<std::string, std::size_t> checks_of(const MeshReport& r) {
+  return {{"open_edges", r.open.count},
+          {"crowded_edges", r.crowded.count},
+          {"misoriented_edges", r.misoriented.count},
+          {"repeated_vertex_triangles", r.repeated_count},
+          {"flat_triangles", r.flat_count},
+          {"duplicate_triangles", r.duplicate_count},
+          {"equal_vertices", r.equal_vertex_count},
+          {"unused_vertices", r.unused_vertex_count},
+          {"pinched_vertices", r.pinched_vertex_count}};
+}
+
+/// What each problem says of the solid as it is.
+std::map<std::string, Verdict> verdicts_of(const Body& body, const Body& standing) {
+  std::map<std::string, Verdict> all;
+  for (const ProblemEntry& entry : problems()) {
+    if (!entry.for_solid) continue;
+    const Body& posed = entry.upright ? standing : body;
+    Verdict& verdict = all[entry.name];
+    try {
+      verdict = entry.make(*entry.for_solid, posed)->verify(posed.solid, posed.frame.length);
+    } catch (const InputError& error) {  // no base to stand on; heavier than water
+      verdict.text = error.what();
+    }
+  }
+  return all;
+}
+
+kreisel::SolidReport solid_of(const Body& body, const Body& standing) {
+  kreisel::SolidReport s;
+  const double length = body.frame.length;
+  s.extent = bounding_box(body.mesh).extent();
+  s.volume = length * length * length * body.solid[S1];
+  s.mass = body.density * s.volume * 1e-3;
+  s.centre = body.frame.to_model(centre_of_mass(body.solid));
+  const Eigen::Matrix3d& r = body.frame.rotation;
+  // Moments are per solid mass and length^2; rotating back gives model axes.
+  const Eigen::Matrix3d inertia =
+      s.mass / body.solid[S1] * length * length * r.transpose() * inertia_about_centre(body.solid) * r;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
+  s.principal = solver.eigenvalues();
+  s.axes = solver.eigenvectors();
+  s.verdicts = verdicts_of(body, standing);
+  return s;
+}
+
+}  // namespace
+
+Inspection inspect(Source source, const BodySpec& spec) {
+  Inspection seen;
+  seen.format = source.format;
+  seen.vertices = source.mesh.vertices.size();
+  seen.triangles = source.mesh.triangles.size();
+  seen.checks = checks_of(core::inspect(source.mesh));
+  Surface surface(std::move(source.mesh));
+  seen.repairs = surface.repairs().lines;
+  seen.checks["self_intersections"] = surface.crossings().size();
+  if (!surface.crossings().empty()) {
+    const auto& [a, b] = surface.crossings().front();
+    seen.first_crossing = std::array<std::size_t, 2>{a, b};
+  }
+  for (std::size_t i = 0; i < surface.shells().size(); ++i) {
+    const Shell& shell = surface.shells()[i];
+    seen.shells.push_back({shell.triangles.size(), shell.closed, shell.euler, shell.genus, shell.volume,
+                           surface.enclosing()[i].size()});
+  }
+  try {
+    source = as_solid(std::move(source), surface, spec.model);
+    BodySpec upright = spec;
+    upright.stands_upright = true;
+    const Body body = make_body(spec, source);
+    seen.repairs = body.repairs;
+    seen.solid = solid_of(body, make_body(upright, source));
+  } catch (const InputError& error) {
+    seen.error = error.what();
+  }
+  return seen;
+}
+
+}  // namespace kreisel::core
