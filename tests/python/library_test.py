@@ -127,9 +127,9 @@ class Problems(unittest.TestCase):
         session = kr.Session(kr.Body(*box()))
         for formulation in ("quadric", "rayrep"):
             with self.assertRaisesRegex(ZeroDivisionError, "of mine"):
-                session.solve("py-broken", formulation=formulation, cells=16)
+                session.solve("py-broken", formulation=formulation, cells=32)
             with self.assertRaisesRegex(kr.InputError, "gradient.*expected"):
-                session.solve("py-crooked", formulation=formulation, cells=16)
+                session.solve("py-crooked", formulation=formulation, cells=32)
         with self.assertRaises(AttributeError):
             session.solve("py-none", cells=16)
         self.assertEqual(session.solve("py-lowest", cells=16).end, "optimal")
