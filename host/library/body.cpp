@@ -17,13 +17,16 @@ Body Body::read(const std::filesystem::path& file, double mm_per_unit) {
   if (mm_per_unit != 1 && core::mesh_format(file).has_unit)
     throw InputError(fmt::format("{} mm a unit of {}, which says itself what its lengths are in; expected 1",
                                  mm_per_unit, file.string()));
+  core::MeshReading reading = core::read_mesh_file(file);
   core::Source source{.name = file.stem().string(),
                       .format = std::string(core::mesh_format(file).name),
-                      .mesh = core::read_mesh(file),
+                      .mesh = std::move(reading.mesh),
                       .contact = {},
-                      .size = {}};
+                      .size = {},
+                      .weld = mm_per_unit * reading.weld,
+                      .repairs = std::move(reading.notes)};
   for (Vec3& v : source.mesh.vertices) v *= mm_per_unit;
-  core::Surface surface(std::move(source.mesh));
+  core::Surface surface = core::surface_of(source);
   return Body(
       std::make_shared<const State>(State{core::as_solid(std::move(source), surface, file.string())}));
 }

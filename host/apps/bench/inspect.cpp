@@ -175,7 +175,7 @@ int inspect_model(const InspectOptions& options) {
   Source source = load_source(spec);
   const AsRead as_read{source.format, source.mesh.vertices.size(), source.mesh.triangles.size(),
                        inspect(source.mesh)};
-  Surface surface(std::move(source.mesh));
+  Surface surface = surface_of(source);
   json summary = to_json(as_read, surface);
   summary["model"] = spec.model;
   if (!only_json) {

@@ -1,0 +1,155 @@
+#include "mesh/io/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "parse.hpp"
+
+namespace kreisel::core {
+namespace {
+
+constexpr std::string_view blanks = " \t\v\f", line_ends = "\r\n";
+
+/// ASCII in two bytes each, of either order.
+bool is_utf16(std::string_view bytes) {
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return true;
+  if (bytes.size() < 4) return false;
+  const auto zero = [&](std::size_t i) { return bytes[i] == '\0'; };
+  return zero(0) == zero(2) && zero(1) == zero(3) && zero(0) != zero(1);
+}
+
+}  // namespace
+
+std::string_view text_of(const MeshFile& file) {
+  std::string_view bytes = file.bytes;
+  if (is_utf16(bytes))
+    throw InputError(fmt::format("{}: text in UTF-16, expected ASCII or UTF-8", file.name));
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  return bytes;
+}
+
+std::string shown(std::string_view word) {
+  constexpr std::size_t most = 40;
+  std::string text(word.substr(0, most));
+  for (char& c : text)
+    if (c < ' ' || c > '~') c = '?';
+  return word.size() > most ? text + "..." : text;
+}
+
+std::string lower_case(std::string_view word) {
+  std::string lower(word);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+  return lower;
+}
+
+std::string_view cut_line(std::string_view& rest) {
+  const std::size_t end = std::min(rest.find_first_of(line_ends), rest.size());
+  const std::string_view line = rest.substr(0, end);
+  rest.remove_prefix(end);
+  rest.remove_prefix(rest.starts_with("\r\n") ? 2 : rest.empty() ? 0 : 1);
+  return line;
+}
+
+std::string_view next_word(std::string_view& line) {
+  constexpr std::string_view blank = " \t\r\n\v\f";
+  line.remove_prefix(std::min(line.find_first_not_of(blank), line.size()));
+  const std::string_view word = line.substr(0, line.find_first_of(blank));
+  line.remove_prefix(word.size());
+  return word;
+}
+
+void Digits::see(std::string_view number) {
+  int significant = 0, decimals = 0;
+  bool point = false;
+  for (const char c : number) {
+    if (c == '.') {
+      point = true;
+    } else if (c == 'e' || c == 'E') {
+      powers_ = true;
+      break;
+    } else if (c >= '0' && c <= '9') {
+      significant += significant > 0 || c != '0';
+      decimals += point;
+    }
+  }
+  most_ = std::max(most_, significant);
+  decimals_ = std::max(decimals_, decimals);
+  fewest_decimals_ = fewest_decimals_ < 0 ? decimals : std::min(fewest_decimals_, decimals);
+}
+
+double Digits::weld(double largest) const {
+  constexpr int usual = 6, of_double = 17;
+  if (!(largest > 0) || decimals_ < 0) return 0;
+  const bool fixed = !powers_ && decimals_ > 0 && fewest_decimals_ == decimals_;
+  const double before_point = std::floor(std::log10(largest)) + 1;
+  const double unit =
+      fixed ? std::pow(10, -decimals_) : std::pow(10, before_point - std::clamp(most_, usual, of_double));
+  return 2 * std::min(unit, 1e-3 * largest);  // sqrt(3) units, and the round-off of reading them
+}
+
+double weld_of_binary(double largest, int bits) {
+  return largest > 0 ? 2 * std::ldexp(1, std::ilogb(largest) + 1 - bits) : 0;
+}
+
+double largest_coordinate(const TriangleMesh& mesh) {
+  double largest = 0;
+  for (const Vec3& v : mesh.vertices) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+  return largest;
+}
+
+void Words::skip_blanks_and_comment() {
+  rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks), rest_.size()));
+  if (rest_.starts_with('#')) rest_.remove_prefix(std::min(rest_.find_first_of(line_ends), rest_.size()));
+}
+
+std::string_view Words::next_in_line() {
+  skip_blanks_and_comment();
+  const std::size_t end = std::min(rest_.find_first_of(" \t\v\f\r\n#"), rest_.size());
+  const std::string_view word = rest_.substr(0, end);
+  rest_.remove_prefix(end);
+  if (!word.empty()) at_ = line_;
+  return word;
+}
+
+std::string_view Words::next() {
+  for (;;) {
+    const std::string_view word = next_in_line();
+    if (!word.empty() || rest_.empty()) return word;
+    (void)cut_line(rest_);
+    ++line_;
+  }
+}
+
+void Words::skip_line() {
+  if (line_ != at_) return;
+  (void)cut_line(rest_);
+  ++line_;
+}
+
+bool Words::ended() const {
+  Words probe = *this;
+  return probe.next().empty();
+}
+
+Vec3 Words::point(std::size_t index, Digits& digits, bool in_line) {
+  Vec3 p;
+  for (int a = 0; a < 3; ++a) {
+    const std::string_view word = in_line && a > 0 ? next_in_line() : next();
+    const auto value = parse<double>(word);
+    if (!value)
+      throw error(
+          fmt::format("coordinate '{}' of vertex {}, expected three finite numbers", shown(word), index));
+    digits.see(word);
+    p[a] = *value;
+  }
+  return p;
+}
+
+InputError Words::error(std::string_view what) const {
+  return InputError(fmt::format("{}: line {}: {}", *name_, at_, what));
+}
+
+}  // namespace kreisel::core
