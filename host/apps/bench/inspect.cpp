@@ -200,7 +200,8 @@ int inspect_model(const InspectOptions& options) {
     summary["error"] = error.what();
     refusal = std::current_exception();
   }
-  const std::string written = summary.dump(2) + "\n";
+  // Names of files may be any bytes, and JSON is UTF-8.
+  const std::string written = summary.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
   if (only_json) fmt::print("{}", written);
   if (!only_json && !options.json_file.empty()) write_text(options.json_file, written);
   std::fflush(stdout);  // ahead of the error
