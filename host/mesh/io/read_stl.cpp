@@ -58,8 +58,8 @@ std::uint64_t binary_length(std::string_view bytes) {
 bool is_text(const MeshFile& file) {
   if (file.bytes.size() == binary_length(file.bytes)) return false;
   std::string_view rest = text_of(file);
-  const std::string_view first = next_word(rest);
-  return lower_case(first.substr(0, 5)) == "solid" && rest.find('\0') == std::string_view::npos;
+  const std::string first = lower_case(next_word(rest).substr(0, 5));
+  return (first == "solid" || first == "facet") && rest.find('\0') == std::string_view::npos;
 }
 
 MeshReading read_binary(const MeshFile& file) {

@@ -10,7 +10,15 @@
 namespace kreisel::core {
 namespace {
 
-constexpr std::string_view blanks = " \t\v\f", line_ends = "\r\n";
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+/// How many characters at the front are so: find_first_not_of() looks each one up in a text, which took half
+/// the time of reading.
+template <class Is>
+std::size_t count_front(std::string_view text, Is is) {
+  return std::size_t(std::find_if_not(text.begin(), text.end(), is) - text.begin());
+}
 
 /// ASCII in two bytes each, of either order.
 bool is_utf16(std::string_view bytes) {
@@ -46,7 +54,7 @@ std::string lower_case(std::string_view word) {
 }
 
 std::string_view cut_line(std::string_view& rest) {
-  const std::size_t end = std::min(rest.find_first_of(line_ends), rest.size());
+  const std::size_t end = count_front(rest, [](char c) { return !is_line_end(c); });
   const std::string_view line = rest.substr(0, end);
   rest.remove_prefix(end);
   rest.remove_prefix(rest.starts_with("\r\n") ? 2 : rest.empty() ? 0 : 1);
@@ -54,9 +62,9 @@ std::string_view cut_line(std::string_view& rest) {
 }
 
 std::string_view next_word(std::string_view& line) {
-  constexpr std::string_view blank = " \t\r\n\v\f";
-  line.remove_prefix(std::min(line.find_first_not_of(blank), line.size()));
-  const std::string_view word = line.substr(0, line.find_first_of(blank));
+  const auto between = [](char c) { return is_blank(c) || is_line_end(c); };
+  line.remove_prefix(count_front(line, between));
+  const std::string_view word = line.substr(0, count_front(line, [&](char c) { return !between(c); }));
   line.remove_prefix(word.size());
   return word;
 }
@@ -101,15 +109,15 @@ double largest_coordinate(const TriangleMesh& mesh) {
 }
 
 void Words::skip_blanks_and_comment() {
-  rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks), rest_.size()));
-  if (rest_.starts_with('#')) rest_.remove_prefix(std::min(rest_.find_first_of(line_ends), rest_.size()));
+  rest_.remove_prefix(count_front(rest_, is_blank));
+  if (rest_.starts_with('#')) rest_.remove_prefix(count_front(rest_, [](char c) { return !is_line_end(c); }));
 }
 
 std::string_view Words::next_in_line() {
   skip_blanks_and_comment();
-  const std::size_t end = std::min(rest_.find_first_of(" \t\v\f\r\n#"), rest_.size());
-  const std::string_view word = rest_.substr(0, end);
-  rest_.remove_prefix(end);
+  const auto of_word = [](char c) { return !is_blank(c) && !is_line_end(c) && c != '#'; };
+  const std::string_view word = rest_.substr(0, count_front(rest_, of_word));
+  rest_.remove_prefix(word.size());
   if (!word.empty()) at_ = line_;
   return word;
 }

@@ -152,6 +152,7 @@ TEST_F(Dialects, TextStlOfSeveralSolidsWithAnyNames) {
   const TriangleMesh mesh = read("a.stl", two);
   EXPECT_EQ(mesh.triangles.size(), 8u);
   is_tetrahedron("b.stl", replaced(stl, " a part", ""));
+  is_tetrahedron("b.stl", "\n" + stl.substr(stl.find("facet"), stl.find("endsolid") - stl.find("facet")));
   is_tetrahedron("c.stl", replaced(stl, "a part", "endloop"));
 }
 
