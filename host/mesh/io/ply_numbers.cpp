@@ -6,7 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "parse.hpp"
 
@@ -41,10 +40,7 @@ double Numbers::coordinate(const Property& property) {
   const double value = next(property.type);
   if (!std::isfinite(value))
     throw error(fmt::format("coordinate {} is {}, expected a finite number", property.name, value));
-  if (encoding_ == Encoding::ascii)
-    digits_.see(last_word_);
-  else if (property.type == Type::float32)
-    bits_ = std::numeric_limits<float>::digits;
+  encoding_ == Encoding::ascii ? digits_.see(last_word_, value) : digits_.see(value);
   return value;
 }
 
@@ -77,10 +73,6 @@ void Numbers::require_end() {
 
 InputError Numbers::error(std::string_view what) const {
   return InputError(fmt::format("{}: {} {}: {}", file_.name, element_->name, index_ + 1, what));
-}
-
-double Numbers::weld(double largest) const {
-  return encoding_ == Encoding::ascii ? digits_.weld(largest) : weld_of_binary(largest, bits_);
 }
 
 std::string_view Numbers::text_word() { return last_word_ = next_word(rest_); }

@@ -34,8 +34,8 @@ class Numbers {
   /// An error at what is being read.
   [[nodiscard]] InputError error(std::string_view what) const;
 
-  /// What the digits of the coordinates cannot tell apart (text.hpp).
-  [[nodiscard]] double weld(double largest) const;
+  /// Of the coordinates.
+  [[nodiscard]] const Digits& digits() const { return digits_; }
 
  private:
   std::string_view text_word();
@@ -48,9 +48,8 @@ class Numbers {
   std::string_view rest_;
   const Element* element_ = nullptr;
   std::uint64_t index_ = 0;
-  Digits digits_;               ///< of text
+  Digits digits_;
   std::string_view last_word_;  ///< of text
-  int bits_ = 53;               ///< of the coarsest coordinate in binary
 };
 
 }  // namespace kreisel::core::ply

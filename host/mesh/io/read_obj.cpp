@@ -99,7 +99,7 @@ class Reader {
       if (!value)
         throw statements_.error(fmt::format("coordinate '{}' of vertex {}, expected three finite numbers",
                                             shown(word), mesh_.vertices.size() + 1));
-      digits_.see(word);
+      digits_.see(word, *value);
       x = *value;
     }
     mesh_.vertices.push_back(p);

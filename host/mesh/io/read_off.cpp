@@ -74,22 +74,32 @@ Layout read_counts(Words& words) {
   return layout;
 }
 
-/// Has every vertex, then every face, a line that holds enough words? A file with as many lines as vertices
-/// and faces is taken to mean it so.
-bool is_in_lines(Words words, const Layout& layout) {
-  bool enough = true;
+std::size_t count_lines(Words words) {
   std::size_t lines = 0;
-  for (std::string_view word; !(word = words.next()).empty(); ++lines) {
-    std::size_t count = 1;
-    const std::size_t corners = parse<std::size_t>(word).value_or(0);
-    while (count <= 4 + corners && !words.next_in_line().empty()) ++count;
-    words.skip_line();
-    if (lines < layout.vertices)
-      enough = enough && count >= 3;
-    else if (lines < layout.vertices + layout.faces)
-      enough = enough && count > corners;
-  }
-  return lines == layout.vertices + layout.faces || (enough && lines > layout.vertices + layout.faces);
+  for (; !words.next().empty(); ++lines) words.skip_line();
+  return lines;
+}
+
+/// Do vertices and faces, one after the other wherever lines end, make the whole file?
+bool runs_on(Words words, const Layout& layout) {
+  std::string_view word;
+  const auto skip = [&](std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k)
+      if ((word = words.next()).empty()) return false;
+    return true;
+  };
+  for (std::size_t i = 0; i < layout.vertices; ++i)
+    if (!skip(3 + layout.attributes)) return false;
+  for (std::size_t i = 0; i < layout.faces; ++i)
+    if (!skip(1) || !skip(parse<std::size_t>(word).value_or(0))) return false;
+  return words.ended();
+}
+
+/// A file with a line for each vertex and face is taken to mean it so; one with fewer runs on, and one with
+/// more where that comes out even.
+bool is_in_lines(const Words& words, const Layout& layout) {
+  const std::size_t lines = count_lines(words), items = layout.vertices + layout.faces;
+  return lines == items || (lines > items && !runs_on(words, layout));
 }
 
 [[noreturn]] void refuse_end(const Words& words, std::string_view what, std::size_t have, std::size_t want) {

@@ -151,7 +151,7 @@ MeshReading read_ply(const MeshFile& file) {
   }
   numbers.require_end();
   MeshReading reading = triangulated(std::move(mesh));
-  reading.weld = numbers.weld(largest_coordinate(reading.mesh));
+  reading.weld = numbers.digits().weld(largest_coordinate(reading.mesh));
   return reading;
 }
 

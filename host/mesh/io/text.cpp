@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "parse.hpp"
 
@@ -69,7 +70,10 @@ std::string_view next_word(std::string_view& line) {
   return word;
 }
 
-void Digits::see(std::string_view number) {
+void Digits::see(double value) { floats_ = floats_ && double(float(value)) == value; }
+
+void Digits::see(std::string_view number, double value) {
+  see(value);
   int significant = 0, decimals = 0;
   bool point = false;
   for (const char c : number) {
@@ -89,17 +93,21 @@ void Digits::see(std::string_view number) {
 }
 
 double Digits::weld(double largest) const {
-  constexpr int usual = 6, of_double = 17;
-  if (!(largest > 0) || decimals_ < 0) return 0;
-  const bool fixed = !powers_ && decimals_ > 0 && fewest_decimals_ == decimals_;
+  constexpr int usual = 6, of_float = 9, of_double = 17;
+  constexpr int float_bits = std::numeric_limits<float>::digits, bits = std::numeric_limits<double>::digits;
+  if (!(largest > 0)) return 0;
+  if (floats_) return weld_of_binary(largest, float_bits);
+  if (decimals_ < 0) return weld_of_binary(largest, bits);
+  if (decimals_ == 0 && !powers_) return 0;
+  const bool fixed = !powers_ && fewest_decimals_ == decimals_;
   const double before_point = std::floor(std::log10(largest)) + 1;
-  const double unit =
-      fixed ? std::pow(10, -decimals_) : std::pow(10, before_point - std::clamp(most_, usual, of_double));
-  return 2 * std::min(unit, 1e-3 * largest);  // sqrt(3) units, and the round-off of reading them
+  const double unit = std::pow(10, fixed ? -decimals_ : before_point - std::clamp(most_, usual, of_double));
+  const double weld = 1.8 * std::min(unit, 1e-4 * largest);  // sqrt(3), and the round-off of reading them
+  return most_ > of_float ? weld : std::max(weld, weld_of_binary(largest, float_bits));
 }
 
 double weld_of_binary(double largest, int bits) {
-  return largest > 0 ? 2 * std::ldexp(1, std::ilogb(largest) + 1 - bits) : 0;
+  return largest > 0 ? 4 * std::ldexp(1, std::ilogb(largest) + 1 - bits) : 0;
 }
 
 double largest_coordinate(const TriangleMesh& mesh) {
@@ -150,7 +158,7 @@ Vec3 Words::point(std::size_t index, Digits& digits, bool in_line) {
     if (!value)
       throw error(
           fmt::format("coordinate '{}' of vertex {}, expected three finite numbers", shown(word), index));
-    digits.see(word);
+    digits.see(word, *value);
     p[a] = *value;
   }
   return p;

@@ -26,27 +26,33 @@ namespace kreisel::core {
 /// The next word of `line`, cut from its front; empty at the end. Blanks, tabs and line ends separate.
 [[nodiscard]] std::string_view next_word(std::string_view& line);
 
-/// How finely a text writes its coordinates.
+/// What numbers in binary, of the size of the largest coordinate, may differ by and be the same but for their
+/// last digits: four steps, for arithmetic in that precision adds a few. @param bits  of the mantissa
+[[nodiscard]] double weld_of_binary(double largest, int bits);
+
+/// How finely a file writes its coordinates.
 class Digits {
  public:
-  /// A number that was read.
-  void see(std::string_view number);
-  /// What two numbers of the size of the largest coordinate may differ by and be the same but for their last
-  /// digit; as a distance, for it may be so in every coordinate.
+  /// A coordinate, as it was written in text and as it was read.
+  void see(std::string_view number, double value);
+  /// A coordinate of a binary file in double.
+  void see(double value);
+
+  /// The same of these coordinates; as a distance, for they may differ so in every direction.
   ///
-  /// One unit of the last place, where all numbers have the same number of decimals; else what the longest of
-  /// them has, or six digits, which is what programs write that do not write more. Never more than a
-  /// thousandth of the largest: two decimals of an inch are no precision.
+  /// Numbers that are all floats are that: in double or with many digits, they are a program's that has
+  /// floats. Else of text: sqrt(3) units of the last place, where all have the same number of decimals; or
+  /// else of what the longest has, but six digits at least, which is what programs write that do not write
+  /// more. Of nine digits or fewer, which is what floats take, no less than of floats. A unit is no more than
+  /// 1e-4 of the largest: two decimals of an inch are no round-off; nor are whole numbers.
   [[nodiscard]] double weld(double largest) const;
 
  private:
   int most_ = 0;                              ///< significant digits
-  int fewest_decimals_ = -1, decimals_ = -1;  ///< least and most; -1: none seen
+  int fewest_decimals_ = -1, decimals_ = -1;  ///< least and most; -1: no text seen
   bool powers_ = false;                       ///< some number has an exponent
+  bool floats_ = true;                        ///< every one is a float
 };
-
-/// The same of numbers in single or double precision. @param bits  of the mantissa: 24 or 53
-[[nodiscard]] double weld_of_binary(double largest, int bits);
 
 /// The largest coordinate, by its size. 0 without vertices.
 [[nodiscard]] double largest_coordinate(const TriangleMesh& mesh);

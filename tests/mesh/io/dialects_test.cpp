@@ -103,6 +103,7 @@ TEST_F(Dialects, OffWithSeveralItemsInALineOrOneInSeveral) {
   is_tetrahedron("a.off", replaced(off, " ", "\n"));
   is_tetrahedron("a.off", "OFF\n4 4 6\n" + replaced(corners, "\n", " ") + "\n" + faces);
   is_tetrahedron("a.off", "OFF\n4 4 6\n" + corners + replaced(faces, "\n", " ") + "\n");
+  is_tetrahedron("a.off", "NOFF\n4 4 6\n" + replaced(corners, "\n", "\n0 0 1\n") + faces);
   is_tetrahedron("a.off", "NOFF 4 4 6 0 0 0 nan nan nan 1 0 0 1 0 0 0 2 0 0 1 0 0 0 3 0 0 1 " +
                               replaced(faces, "\n", " "));
 }
@@ -237,26 +238,33 @@ TEST_F(Dialects, BinaryPlyBehindAHeaderOfAnyLineEnds) {
 /// What a text of such numbers cannot tell apart.
 double weld_of(const std::vector<std::string>& numbers, double largest) {
   Digits digits;
-  for (const std::string& number : numbers) digits.see(number);
+  for (const std::string& number : numbers) digits.see(number, std::stod(number));
   return digits.weld(largest);
 }
 
+constexpr double float_step = std::numeric_limits<float>::epsilon();  // at 1
+
 TEST(DigitsOfAFile, SayWhatItCannotTellApart) {
-  EXPECT_DOUBLE_EQ(weld_of({"12.345", "0.100", "-7.000"}, 12.345), 2e-3);  // three decimals everywhere
-  EXPECT_DOUBLE_EQ(weld_of({"1.234567e+01", "5.000000e-17"}, 12.34567), 2e-5);
-  EXPECT_DOUBLE_EQ(weld_of({"12.3457", "0.333333", "20"}, 20), 2e-4);  // six digits, as many programs write
-  EXPECT_DOUBLE_EQ(weld_of({"20", "0", "-5e-17"}, 20), 2e-4);  // short numbers of a program that has six
-  EXPECT_DOUBLE_EQ(weld_of({"0.12345678901234567", "20"}, 20), 2e-15);
-  EXPECT_DOUBLE_EQ(weld_of({"0.25", "1.50"}, 1.5), 3e-3);  // of inches, say: a thousandth at most
+  EXPECT_DOUBLE_EQ(weld_of({"12.345", "0.100", "-7.000"}, 12.345), 1.8e-3);  // three decimals everywhere
+  EXPECT_DOUBLE_EQ(weld_of({"1.234567e+01", "5.000000e-17"}, 12.34567), 1.8e-5);
+  EXPECT_DOUBLE_EQ(weld_of({"12.3457", "0.333333", "20"}, 20), 1.8e-4);  // six digits, as many programs write
+  EXPECT_DOUBLE_EQ(weld_of({"20", "0", "-5e-17"}, 20), 1.8e-4);          // short numbers of one that has six
+  EXPECT_DOUBLE_EQ(weld_of({"0.12345678901234567", "20"}, 20), 1.8e-15);
+  EXPECT_DOUBLE_EQ(weld_of({"0.12", "1.53"}, 1.53), 1.8e-4 * 1.53);  // of inches, say: no round-off
+  EXPECT_DOUBLE_EQ(weld_of({"0.123456789", "1"}, 1), 4 * float_step);
+  EXPECT_EQ(weld_of({"100000001", "7"}, 100000001), 0);  // whole numbers, and more than floats have
   EXPECT_EQ(weld_of({"0", "0.0"}, 0), 0);
 }
 
-TEST(DigitsOfAFile, AreTheStepOfBinaryNumbersAtTheLargest) {
-  constexpr double eps = std::numeric_limits<float>::epsilon();
-  EXPECT_EQ(weld_of_binary(1, 24), 2 * eps);
-  EXPECT_EQ(weld_of_binary(1.99, 24), 2 * eps);
-  EXPECT_EQ(weld_of_binary(100, 24), 2 * 64 * eps);
-  EXPECT_EQ(weld_of_binary(1, 53), 2 * std::numeric_limits<double>::epsilon());
+TEST(DigitsOfAFile, AreThoseOfFloatsWhereAllAreFloats) {
+  EXPECT_EQ(weld_of({"0.10000000149011612", "1"}, 1), 4 * float_step);
+  EXPECT_EQ(weld_of({"3", "0.25", "1.50"}, 3), 2 * 4 * float_step);
+  Digits single, twice;
+  for (const double x : {0.5, double(0.1f)}) single.see(x), twice.see(x);
+  twice.see(0.1);
+  EXPECT_EQ(single.weld(1.99), 4 * float_step);
+  EXPECT_EQ(single.weld(100), 64 * 4 * float_step);
+  EXPECT_EQ(twice.weld(1), 4 * std::numeric_limits<double>::epsilon());
 }
 
 }  // namespace

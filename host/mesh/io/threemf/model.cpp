@@ -176,7 +176,7 @@ class Visitor final : public XmlVisitor {
     if (!value)
       throw error(fmt::format("coordinate {} = '{}' of vertex {}, expected a finite number", axis,
                               shown(word), object_->mesh.vertices.size() + 1));
-    model_.digits.see(word);
+    model_.digits.see(word, *value);
     return *value;
   }
 
