@@ -9,6 +9,7 @@
 #include <charconv>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <string>
@@ -67,9 +68,24 @@ fs::path follow_links(fs::path path, const Done& done) {
   return path;
 }
 
+/// A descriptor to write to. What this process has open is written to where it has got to.
+int open_in_place(const fs::path& path) {
+  const fs::path opened = follow_links(path, is_open_file);
+  const std::string name = opened.string();
+  for (const std::string_view own : {"/proc/self/fd/", "/dev/fd/"})
+    if (name.starts_with(own)) {
+      int number = -1;
+      const char* end = name.data() + name.size();
+      const auto [stop, status] = std::from_chars(name.data() + own.size(), end, number);
+      if (status != std::errc() || stop != end) break;
+      (void)std::fflush(stdout);  // what was printed earlier comes first
+      return ::dup(number);
+    }
+  return ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+}
+
 void copy_into(const fs::path& from, const fs::path& path) {
-  // Appended: of a file that is open elsewhere nothing is overwritten.
-  const int to = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  const int to = open_in_place(path);
   const auto refuse = [&] {
     const std::string why = std::strerror(errno);
     if (to >= 0) ::close(to);

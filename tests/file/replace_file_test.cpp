@@ -118,7 +118,7 @@ TEST_F(ReplaceFile, WritesIntoAPipeAndLeavesIt) {
   EXPECT_EQ(names(), std::set<std::string>{"a.json"});
 }
 
-TEST_F(ReplaceFile, AppendsToWhatIsOpenAlready) {
+TEST_F(ReplaceFile, GoesOnWithWhatIsOpenAlready) {
   const fs::path log = folder_.path / "log";
   const int open = ::open(log.c_str(), O_WRONLY | O_CREAT, 0600);
   ASSERT_EQ(::write(open, "old ", 4), 4);
@@ -126,7 +126,8 @@ TEST_F(ReplaceFile, AppendsToWhatIsOpenAlready) {
   EXPECT_TRUE(is_written_in_place(name));
   fs::create_symlink(name, folder_.path / "a.json");
   replace();
-  EXPECT_EQ(content_of(log), "old new");
+  ASSERT_EQ(::write(open, " more", 5), 5);
+  EXPECT_EQ(content_of(log), "old new more");
   ::close(open);
 }
 
