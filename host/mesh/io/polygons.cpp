@@ -53,11 +53,16 @@ std::vector<Point2> projected(const std::vector<Vec3>& vertices, Corners face, c
   return points;
 }
 
-/// Has the polygon a corner to the left at every point, and is it once around?
-bool strictly_convex(const std::vector<Point2>& points) {
+/// Has the polygon a corner to the left at every point, by more than round-off, and is it once around? A fan
+/// about a straight side would have triangles without area.
+bool clearly_convex(const std::vector<Point2>& points) {
+  constexpr double least_sine = 1e-9;
   const std::size_t n = points.size();
-  for (std::size_t i = 0; i < n; ++i)
-    if (orient2d(points[i], points[(i + 1) % n], points[(i + 2) % n]) <= 0) return false;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point2 &a = points[i], &b = points[(i + 1) % n], &c = points[(i + 2) % n];
+    const double ux = b[0] - a[0], uy = b[1] - a[1], vx = c[0] - b[0], vy = c[1] - b[1];
+    if (!(ux * vy - uy * vx > least_sine * std::hypot(ux, uy) * std::hypot(vx, vy))) return false;
+  }
   for (std::size_t i = 1; i + 1 < n; ++i)
     if (orient2d(points[0], points[i], points[i + 1]) <= 0) return false;
   return true;
@@ -74,7 +79,7 @@ std::optional<Triangles> fill(const std::vector<Vec3>& vertices, Corners face) {
   const Vec3 normal = normal_of(vertices, face);
   if (!(normal.squaredNorm() > 0) || !normal.allFinite()) return std::nullopt;
   const std::vector<Point2> exact = dropped(vertices, face, normal);
-  if (strictly_convex(exact)) return fan(face.size());
+  if (clearly_convex(exact)) return fan(face.size());
   std::vector<std::uint32_t> outline(face.size());
   for (std::uint32_t k = 0; k < outline.size(); ++k) outline[k] = k;
   for (const auto& points : {exact, projected(vertices, face, normal)})

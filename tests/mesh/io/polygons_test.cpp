@@ -80,6 +80,26 @@ TEST(Polygons, CornersOnStraightSidesStayCorners) {
   expect_solid({{0, 0}, {3, 0}, {6, 0}, {6, 4}, {3, 4}, {0, 4}, {0, 2}}, 14);
 }
 
+TEST(Polygons, CornersThatAreStraightButForRoundOffMakeNoSlivers) {
+  // A square with corners along its sides, turned by many angles: round-off puts each to the left or right.
+  Outline outline;
+  for (int side = 0; side < 4; ++side)
+    for (int i = 0; i < 5; ++i) {
+      const double t = 2 * i, x[4] = {t, 10, 10 - t, 0}, y[4] = {0, t, 10, 10 - t};
+      outline.push_back({x[side], y[side]});
+    }
+  for (int turn = 0; turn < 50; ++turn) {
+    const Eigen::Isometry3d pose(Eigen::AngleAxisd(0.1 + 0.07 * turn, Vec3(1, turn, 3).normalized()));
+    const SolidMesh solid = make_solid(triangulated(prism(outline, 2, pose)).mesh, "prism");
+    EXPECT_NEAR(inspect(solid.mesh).volume, 200, 1e-9);
+    EXPECT_EQ(solid.mesh.vertices.size(), 2 * outline.size());
+    for (const auto& [a, b, c] : solid.mesh.triangles) {  // the thinnest there need be has sides 2 and 2
+      const Vec3 &p = solid.mesh.vertices[a], &q = solid.mesh.vertices[b], &r = solid.mesh.vertices[c];
+      EXPECT_GT((q - p).cross(r - p).norm(), 1);
+    }
+  }
+}
+
 TEST(Polygons, RandomOutlinesKeepTheirVolume) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> radius(1, 10);
