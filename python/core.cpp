@@ -98,11 +98,14 @@ void add_bodies(py::module_& m) {
            "Of arrays (n, 3) and (m, 3). Raises InputError where they bound no solid.")
       .def_static(
           "read",
-          [](const std::filesystem::path& file, double mm) {
+          [](const std::filesystem::path& file, double mm, std::optional<double> weld) {
             const py::gil_scoped_release released;
-            return Body::read(file, mm);
+            return Body::read(file, mm, weld);
           },
-          py::arg("file"), py::arg("mm_per_unit") = 1.0, "Reads OFF, OBJ, PLY, STL or 3MF.")
+          py::arg("file"), py::arg("mm_per_unit") = 1.0, py::arg("weld") = py::none(),
+          "Reads OFF, OBJ, PLY, STL or 3MF. weld: corners at open edges that are this near, mm, are one; "
+          "None: as "
+          "near as the file's numbers are precise.")
       .def_static("model", &Body::model, py::arg("name"), "A model of `bench list`.")
       .def_property_readonly(
           "mesh", [](const py::object& self) { return views_of(self.cast<const Body&>().mesh(), self); },

@@ -45,11 +45,11 @@ void add_inspections(py::module_& m) {
       });
   m.def(
       "inspect",
-      [](const std::filesystem::path& file, double mm_per_unit, double density) {
+      [](const std::filesystem::path& file, double mm_per_unit, double density, std::optional<double> weld) {
         const py::gil_scoped_release released;
-        return inspect(file, mm_per_unit, density);
+        return inspect(file, mm_per_unit, density, weld);
       },
-      py::arg("file"), py::arg("mm_per_unit") = 1.0, py::arg("density") = 1.0,
+      py::arg("file"), py::arg("mm_per_unit") = 1.0, py::arg("density") = 1.0, py::arg("weld") = py::none(),
       "Checks, repairs, shells; as a solid its mass properties. That it is no solid is an answer, no error.");
   m.def(
       "inspect",

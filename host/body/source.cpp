@@ -55,6 +55,15 @@ void require_unit_wanted(const BodySpec& spec) {
   if (mesh_format(spec.model).has_unit) refuse("none with a file that says what its lengths are in");
 }
 
+/// Only what is read from the user's file may have corners that differ by round-off.
+void require_weld_wanted(const BodySpec& spec) {
+  if (!spec.weld) return;
+  if (!(*spec.weld >= 0)) throw InputError(fmt::format("weld {} mm; expected >= 0", *spec.weld));
+  if (is_known(spec.model))
+    throw InputError(fmt::format("weld {} mm for model '{}'; expected none with the name of a model",
+                                 *spec.weld, spec.model));
+}
+
 }  // namespace
 
 std::filesystem::path models_folder() {
@@ -70,6 +79,7 @@ bool is_absent_file(const std::string& model) {
 void require_known_source(const BodySpec& spec) {
   if (!is_known(spec.model) && is_name(spec.model)) unknown(spec.model);
   require_unit_wanted(spec);
+  require_weld_wanted(spec);
 }
 
 Source load_source(const BodySpec& spec) {
@@ -95,12 +105,16 @@ Source load_source(const BodySpec& spec) {
             .contact = {},
             .size = DebianMesh::size};
   const std::filesystem::path path = file_of(spec.model);
+  MeshReading reading = read_mesh_file(path);
+  const double millimetres = spec.unit ? spec.unit->millimetres : 1.0;
   return {.name = path.stem().string(),
           .format = std::string(mesh_format(path).name),
-          .mesh = read_mesh(path),
+          .mesh = std::move(reading.mesh),
           .contact = {},
           .size = {},
-          .millimetres = spec.unit ? spec.unit->millimetres : 1.0};
+          .millimetres = millimetres,
+          .weld = spec.weld ? *spec.weld / millimetres : reading.weld,
+          .repairs = std::move(reading.notes)};
 }
 
 Source load_solid(const BodySpec& spec) {
@@ -109,8 +123,12 @@ Source load_solid(const BodySpec& spec) {
     require_solid(source.mesh, spec.model);
     return source;
   }
-  Surface surface(std::move(source.mesh));
+  Surface surface = surface_of(source);
   return as_solid(std::move(source), surface, spec.model);
+}
+
+Surface surface_of(Source& source) {
+  return Surface(std::move(source.mesh), source.weld, {std::move(source.repairs)});
 }
 
 Source as_solid(Source source, Surface& surface, const std::string& model) {

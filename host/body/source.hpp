@@ -19,18 +19,22 @@ struct Source {
   std::optional<Vec3> contact;
   std::optional<double> size;             ///< to be scaled to, mm
   double millimetres = 1;                 ///< one unit of the mesh
-  std::vector<std::string> repairs = {};  ///< what was mended, one line each
+  double weld = 0;                        ///< corners this near at open edges are one, in units of the mesh
+  std::vector<std::string> repairs = {};  ///< what was passed over and mended, one line each
 };
 
 /// The model of that name, made or fetched, or the mesh file, here or in models_folder(), neither checked nor
 /// mended.
 /// @throws InputError  neither a name (says the nearest) nor a readable file; fineness < 0; a unit for what
-///                     has one
+///                     has one; welding of what is whole
 [[nodiscard]] Source load_source(const BodySpec& spec);
 
 /// The same with a mesh that bounds a solid: a file's is mended where that is safe, then checked (solid.hpp).
 /// @throws InputError  as load_source(), or no solid
 [[nodiscard]] Source load_solid(const BodySpec& spec);
+
+/// The mended surface of its mesh, which it takes, with what is said of the mesh so far.
+[[nodiscard]] Surface surface_of(Source& source);
 
 /// The source with the mended surface of its mesh. @throws InputError  that bounds no solid
 [[nodiscard]] Source as_solid(Source source, Surface& surface, const std::string& model);

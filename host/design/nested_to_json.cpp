@@ -72,7 +72,7 @@ std::string to_json(const Nested& nested) {
     const std::string file = part.written.file.string();
     if (summary["files"].empty() || summary["files"].back() != file) summary["files"].push_back(file);
   }
-  return summary.dump(2) + "\n";
+  return summary.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace kreisel::core

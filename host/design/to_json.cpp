@@ -71,7 +71,7 @@ std::string to_json(const Design& design) {
     summary["infeasibility"] = r.infeasibility;
     summary["remedies"] = r.remedies;
     summary["other_axes"] = design.other_axes;
-    return summary.dump(2) + "\n";
+    return summary.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
   }
   json cuts = json::array();
   for (const Cut& cut : r.voids.cuts)
@@ -97,7 +97,7 @@ std::string to_json(const Design& design) {
   summary["drains"] = json::array();
   for (const Drain& drain : design.drains)
     summary["drains"].push_back({{"from", list(drain.from)}, {"along", list(drain.along)}});
-  return summary.dump(2) + "\n";
+  return summary.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace kreisel::core

@@ -1,5 +1,6 @@
 #include "file/replace_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -8,6 +9,9 @@
 #include <charconv>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
 #include <string>
 
 #include "error.hpp"
@@ -45,12 +49,90 @@ void sweep_stale(const fs::path& path) {
   }
 }
 
+/// Of the kind that the system opens anew as what it is open as already.
+bool is_open_file(const fs::path& path) {
+  const std::string name = path.string();
+  return name.starts_with("/proc/") || name.starts_with("/dev/fd/");
+}
+
+/// Follows links until `done(path)` or the path is none; gives up on a circle.
+template <class Done>
+fs::path follow_links(fs::path path, const Done& done) {
+  constexpr int most = 40;  // as the system does
+  std::error_code error;
+  for (int links = 0; links < most && !done(path); ++links) {
+    const fs::path target = fs::read_symlink(path, error);
+    if (error) break;
+    path = target.is_absolute() ? target : path.parent_path() / target;
+  }
+  return path;
+}
+
+/// A descriptor to write to. What this process has open is written to where it has got to.
+int open_in_place(const fs::path& path) {
+  const fs::path opened = follow_links(path, is_open_file);
+  const std::string name = opened.string();
+  for (const std::string_view own : {"/proc/self/fd/", "/dev/fd/"})
+    if (name.starts_with(own)) {
+      int number = -1;
+      const char* end = name.data() + name.size();
+      const auto [stop, status] = std::from_chars(name.data() + own.size(), end, number);
+      if (status != std::errc() || stop != end) break;
+      (void)std::fflush(stdout);  // what was printed earlier comes first
+      return ::dup(number);
+    }
+  return ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+}
+
+void copy_into(const fs::path& from, const fs::path& path) {
+  const int to = open_in_place(path);
+  const auto refuse = [&] {
+    const std::string why = std::strerror(errno);
+    if (to >= 0) ::close(to);
+    throw InputError(fmt::format("{}: {}, expected one that takes what is written", path.string(), why));
+  };
+  if (to < 0) refuse();
+  std::ifstream in(from, std::ios::binary);
+  std::string block(1 << 16, '\0');
+  while (in.read(block.data(), static_cast<std::streamsize>(block.size())), in.gcount() > 0)
+    for (std::size_t sent = 0; sent < std::size_t(in.gcount());) {
+      const ssize_t got = ::write(to, block.data() + sent, std::size_t(in.gcount()) - sent);
+      if (got < 0 && errno != EINTR) refuse();
+      if (got > 0) sent += std::size_t(got);
+    }
+  ::close(to);
+}
+
+/// A name of this process alone. @param beside  in its folder: a rename never crosses file systems
+fs::path temporary_name(const fs::path& beside) {
+  static std::atomic<int> count = 0;  // two threads may write to one name
+  fs::path name = beside;
+  return name += fmt::format(".{}-{}.tmp", ::getpid(), count++);
+}
+
 }  // namespace
 
-void replace_file(const fs::path& path, const std::function<void(const fs::path& temporary)>& write) {
-  if (!path.has_filename())
-    throw InputError(fmt::format("'{}': no file name, expected one to write to", path.string()));
+fs::path written_path(const fs::path& path) {
+  return follow_links(path, [](const fs::path&) { return false; });
+}
+
+bool is_written_in_place(const fs::path& path) {
+  if (is_open_file(follow_links(path, is_open_file))) return true;
+  std::error_code ignored;
+  return fs::is_other(fs::status(path, ignored));
+}
+
+void replace_file(const fs::path& name, const std::function<void(const fs::path& temporary)>& write) {
+  if (!name.has_filename())
+    throw InputError(fmt::format("'{}': no file name, expected one to write to", name.string()));
   std::error_code error;
+  if (is_written_in_place(name)) {
+    const Temporary temporary{temporary_name(fs::temp_directory_path() / "kreisel")};
+    write(temporary.path);
+    copy_into(temporary.path, name);
+    return;
+  }
+  const fs::path path = written_path(name);
   const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
   fs::create_directories(folder, error);
   if (error)
@@ -58,11 +140,10 @@ void replace_file(const fs::path& path, const std::function<void(const fs::path&
                                  path.string(), folder.string(), error.message()));
 
   sweep_stale(path);
-  static std::atomic<int> count = 0;  // two threads may write to one name
-  Temporary temporary{path};
-  temporary.path +=
-      fmt::format(".{}-{}.tmp", ::getpid(), count++);  // same folder: a rename never crosses file systems
+  const Temporary temporary{temporary_name(path)};
   write(temporary.path);
+  const fs::file_status earlier = fs::status(path, error);
+  if (fs::is_regular_file(earlier)) fs::permissions(temporary.path, earlier.permissions(), error);
   fs::rename(temporary.path, path, error);
   if (error) throw InputError(fmt::format("{}: {}, expected a file name", path.string(), error.message()));
 }

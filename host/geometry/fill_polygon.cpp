@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "error.hpp"
+#include "geometry/clip_ears.hpp"
 #include "geometry/flip_delaunay.hpp"
 #include "geometry/predicates.hpp"
 
@@ -73,60 +74,6 @@ void bridge(Points points, Loop& polygon, Loop hole) {
   polygon.insert(polygon.begin() + static_cast<std::ptrdiff_t>(*at) + 1, hole.begin(), hole.end());
 }
 
-class Ears {
- public:
-  Ears(Points points, const Loop& polygon)
-      : points_(points), at_(polygon), next_(polygon.size()), last_(polygon.size()) {
-    const std::size_t n = polygon.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      next_[i] = (i + 1) % n;
-      last_[(i + 1) % n] = i;
-    }
-  }
-
-  std::vector<std::array<std::uint32_t, 3>> clip() {
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::size_t left = at_.size(), i = 0, tried = 0;
-    while (left > 3) {
-      if (tried > left) refuse();
-      if (!is_ear(i)) {
-        i = next_[i];
-        ++tried;
-        continue;
-      }
-      triangles.push_back({at_[last_[i]], at_[i], at_[next_[i]]});
-      next_[last_[i]] = next_[i];
-      last_[next_[i]] = last_[i];
-      i = next_[next_[i]];  // not the neighbour: slivers would fan out from one point
-      --left;
-      tried = 0;
-    }
-    if (left == 3) triangles.push_back({at_[last_[i]], at_[i], at_[next_[i]]});
-    return triangles;
-  }
-
- private:
-  [[nodiscard]] const Point2& point(std::size_t i) const { return points_[at_[i]]; }
-  [[nodiscard]] bool is_ear(std::size_t i) const {
-    const Point2 &a = point(last_[i]), &b = point(i), &c = point(next_[i]);
-    if (orient2d(a, b, c) <= 0) return false;
-    const std::array<double, 4> box = {std::min({a[0], b[0], c[0]}), std::max({a[0], b[0], c[0]}),
-                                       std::min({a[1], b[1], c[1]}), std::max({a[1], b[1], c[1]})};
-    for (std::size_t j = next_[next_[i]]; j != last_[i]; j = next_[j]) {
-      const Point2& p = point(j);
-      if (p[0] < box[0] || p[0] > box[1] || p[1] < box[2] || p[1] > box[3]) continue;
-      // The ends of a bridge occur twice; the copy of a corner is no obstacle.
-      if (p == a || p == b || p == c) continue;
-      if (in_triangle(p, a, b, c)) return false;
-    }
-    return true;
-  }
-
-  Points points_;
-  Loop at_;
-  std::vector<std::size_t> next_, last_;
-};
-
 }  // namespace
 
 bool inside_loop(Points points, std::span<const std::uint32_t> loop, const Point2& p) {
@@ -158,9 +105,10 @@ std::vector<std::array<std::uint32_t, 3>> fill_polygon(Points points, std::vecto
   std::sort(loops.begin() + 1, loops.end(),
             [&](const Loop& a, const Loop& b) { return rightmost(a) > rightmost(b); });
   for (std::size_t i = 1; i < loops.size(); ++i) bridge(points, polygon, std::move(loops[i]));
-  std::vector<std::array<std::uint32_t, 3>> triangles = Ears(points, polygon).clip();
-  flip_to_delaunay(points, triangles);
-  return triangles;
+  auto triangles = clip_ears(points, polygon);
+  if (!triangles) refuse();
+  flip_to_delaunay(points, *triangles);
+  return *std::move(triangles);
 }
 
 std::vector<Loop> loops_along(std::map<std::uint32_t, std::uint32_t> next) {

@@ -46,9 +46,10 @@ struct Inspection {
 };
 
 /// Needs no device. @param mm_per_unit  of formats that do not say  @param density  g/cm^3
+/// @param weld_mm  as Body::read()
 /// @throws InputError  no readable file; that it bounds no solid is an answer (`error`)
 [[nodiscard]] KREISEL_API Inspection inspect(const std::filesystem::path& file, double mm_per_unit = 1,
-                                             double density = 1);
+                                             double density = 1, std::optional<double> weld_mm = {});
 /// The same of a mesh in memory, mm.
 [[nodiscard]] KREISEL_API Inspection inspect(Mesh mesh, double density = 1);
 

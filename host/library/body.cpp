@@ -11,19 +11,23 @@
 namespace kreisel {
 Body::Body(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
-core::Source core::read_source(const std::filesystem::path& file, double mm_per_unit) {
+core::Source core::read_source(const std::filesystem::path& file, double mm_per_unit,
+                               std::optional<double> weld_mm) {
   if (!(mm_per_unit > 0) || !std::isfinite(mm_per_unit))
     throw InputError(fmt::format("{} mm a unit of {}; expected > 0", mm_per_unit, file.string()));
   if (mm_per_unit != 1 && mesh_format(file).has_unit)
     throw InputError(fmt::format("{} mm a unit of {}, which says itself what its lengths are in; expected 1",
                                  mm_per_unit, file.string()));
-  Source source{.name = file.stem().string(),
-                .format = std::string(mesh_format(file).name),
-                .mesh = read_mesh(file),
-                .contact = {},
-                .size = {}};
-  for (Vec3& v : source.mesh.vertices) v *= mm_per_unit;
-  return source;
+  if (weld_mm && !(*weld_mm >= 0)) throw InputError(fmt::format("weld {} mm; expected >= 0", *weld_mm));
+  MeshReading reading = read_mesh_file(file);
+  for (Vec3& v : reading.mesh.vertices) v *= mm_per_unit;
+  return {.name = file.stem().string(),
+          .format = std::string(mesh_format(file).name),
+          .mesh = std::move(reading.mesh),
+          .contact = {},
+          .size = {},
+          .weld = weld_mm.value_or(mm_per_unit * reading.weld),
+          .repairs = std::move(reading.notes)};
 }
 
 core::Source core::source_of(Mesh mesh) {
@@ -42,15 +46,15 @@ core::Source core::source_of(Mesh mesh) {
 namespace {
 
 core::Source solid_of(core::Source source, const std::string& name) {
-  core::Surface surface(std::move(source.mesh));
+  core::Surface surface = core::surface_of(source);
   return core::as_solid(std::move(source), surface, name);
 }
 
 }  // namespace
 
-Body Body::read(const std::filesystem::path& file, double mm_per_unit) {
-  return Body(
-      std::make_shared<const State>(State{solid_of(core::read_source(file, mm_per_unit), file.string())}));
+Body Body::read(const std::filesystem::path& file, double mm_per_unit, std::optional<double> weld_mm) {
+  return Body(std::make_shared<const State>(
+      State{solid_of(core::read_source(file, mm_per_unit, weld_mm), file.string())}));
 }
 
 Body Body::model(const std::string& name) {

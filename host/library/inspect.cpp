@@ -4,12 +4,13 @@
 
 namespace kreisel {
 
-Inspection inspect(const std::filesystem::path& file, double mm_per_unit, double density) {
+Inspection inspect(const std::filesystem::path& file, double mm_per_unit, double density,
+                   std::optional<double> weld_mm) {
   return translated([&] {
     core::BodySpec spec;
     spec.model = file.string();
     spec.density = density;
-    return core::inspect(core::read_source(file, mm_per_unit), spec);
+    return core::inspect(core::read_source(file, mm_per_unit, weld_mm), spec);
   });
 }
 

@@ -35,7 +35,8 @@ auto translated(const Work& work) {
 namespace core {
 
 /// A file's mesh as it is, in mm. @throws InputError  as Body::read(), but for what it bounds
-[[nodiscard]] Source read_source(const std::filesystem::path& file, double mm_per_unit);
+[[nodiscard]] Source read_source(const std::filesystem::path& file, double mm_per_unit,
+                                 std::optional<double> weld_mm);
 /// @throws InputError  triangles of vertices that are not there, or not finite; none
 [[nodiscard]] Source source_of(Mesh mesh);
 

@@ -77,6 +77,11 @@ const std::map<std::string_view, Setter>& setters() {
       {"up", [](C c, S k, S v) { c.body.up = vector(k, v); }},
       {"contact", [](C c, S k, S v) { c.body.contact = vector(k, v); }},
       {"unit", [](C c, S, S v) { c.body.unit = find_length_unit(v); }},
+      {"weld",
+       [](C c, S k, S v) {
+         c.body.weld = number(k, v);
+         if (*c.body.weld < 0) refuse(k, v, "0 mm or more");
+       }},
       {"size", [](C c, S k, S v) { c.body.size = number(k, v); }},
       {"density", [](C c, S k, S v) { c.body.density = number(k, v); }},
       {"interior-density", [](C c, S k, S v) { c.body.interior_density = number(k, v); }},
@@ -229,6 +234,7 @@ std::map<std::string, std::string> describe(const RunConfig& config) {
   if (config.body.up) fields["up"] = text_of(*config.body.up);
   if (config.body.contact) fields["contact"] = text_of(*config.body.contact);
   if (config.body.unit) fields["unit"] = config.body.unit->name;
+  if (config.body.weld) fields["weld"] = fmt::format("{}", *config.body.weld);
   if (config.body.size) fields["size"] = fmt::format("{}", *config.body.size);
   if (config.body.axle.radius) fields["axle"] = fmt::format("{}", *config.body.axle.radius);
   if (config.body.axle.slot) fields["slot"] = fmt::format("{}", *config.body.axle.slot);

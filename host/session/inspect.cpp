@@ -64,7 +64,7 @@ Inspection inspect(Source source, const BodySpec& spec) {
   seen.vertices = source.mesh.vertices.size();
   seen.triangles = source.mesh.triangles.size();
   seen.checks = checks_of(core::inspect(source.mesh));
-  Surface surface(std::move(source.mesh));
+  Surface surface = surface_of(source);
   seen.repairs = surface.repairs().lines;
   seen.checks["self_intersections"] = surface.crossings().size();
   if (!surface.crossings().empty()) {

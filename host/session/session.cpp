@@ -70,7 +70,7 @@ std::shared_ptr<const Body> Session::body_of(const RunConfig& question, const Bo
                                              const std::shared_ptr<device::Device>& device) {
   const BodySpec& given = question.body;
   const std::shared_ptr<const Source> source =
-      given_ ? given_ : stage("mesh", source_, {given.model, given.fineness, given.unit}, [&] {
+      given_ ? given_ : stage("mesh", source_, {given.model, given.fineness, given.unit, given.weld}, [&] {
         return std::make_shared<const Source>(load_solid(given));
       });
   std::optional<BodySpec> with_axle;

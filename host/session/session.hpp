@@ -86,6 +86,7 @@ class Session {
     std::string model;
     int fineness = 0;
     std::optional<LengthUnit> unit;
+    std::optional<double> weld;
     bool operator==(const SourceKey&) const = default;
   };
   struct BodyKey {

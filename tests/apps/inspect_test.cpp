@@ -104,6 +104,43 @@ TEST_F(Inspect, TakesAModelByNameAndJsonOnStandardOutput) {
   EXPECT_EQ(json::parse(a.out).at("format"), "parametric model");
 }
 
+TEST_F(Inspect, WeldsCornersAtOpenEdgesWithinTheGivenDistance) {
+  // Inches: a corner of one triangle is 0.001 from the others', which is 0.0254 mm.
+  TriangleMesh mesh = soup(box_mesh({0, 0, 0}, {1, 2, 3}));
+  mesh.vertices[0] += Vec3(0.0006, 0.0008, 0);
+  json j = inspect(mesh, "--unit in", 2);
+  says("open edges");
+  (void)inspect(mesh, "--unit in --weld 0.0253", 2);
+  j = inspect(mesh, "--unit in --weld 0.0255", 0);
+  says("welded 1 vertex to another at open edges, no more than 0.001 apart");
+  EXPECT_NEAR(j.at("solid").at("volume_mm3").get<double>(), 6 * 25.4 * 25.4 * 25.4, 0.01 * 1e5);
+}
+
+TEST_F(Inspect, WeldsByTheDigitsOfTheFileUnlessToldNotTo) {
+  TriangleMesh mesh = soup(box_mesh({0, 0, 0}, {1, 2, 3}));
+  mesh.vertices[0] += Vec3(2e-16, 0, 0);  // written as 2e-16: the file has no more than six digits elsewhere
+  const json j = inspect(mesh, "", 0);
+  EXPECT_NEAR(j.at("solid").at("volume_mm3").get<double>(), 6, 1e-9);
+  says("welded 1 vertex");
+  (void)inspect(mesh, "--weld 0", 2);
+  says("open edges");
+}
+
+TEST_F(Inspect, TakesFileNamesInAnyBytes) {
+  const std::string model = (folder_ /
+                             "gr\xf6\xdf"
+                             "e.off")
+                                .string(),
+                    out = (folder_ / "out.json").string();
+  write_mesh(model, {box_mesh({0, 0, 0}, {1, 2, 3})});
+  EXPECT_EQ(bench(fmt::format("inspect '{}' --json '{}'", model, out)).code, 0);
+  std::ifstream in(out);
+  EXPECT_NE(json::parse(in).at("model").get<std::string>().find("gr\xef\xbf\xbd\xef\xbf\xbd"
+                                                                "e.off"),
+            std::string::npos);
+  EXPECT_EQ(json::parse(bench(fmt::format("inspect '{}' --json -", model)).out).at("triangles"), 12);
+}
+
 TEST_F(Inspect, RefusesWhatIsNoMeshInOneLine) {
   for (const std::string name : {"absent.stl", "absent", "empty.ply"}) {
     (void)file("empty.ply", "");

@@ -1,13 +1,17 @@
 #include "file/replace_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
 #include "temporary_folder.hpp"
 
@@ -68,6 +72,63 @@ TEST_F(ReplaceFile, LeavesTheOldFileAndNothingElseWhereTheWriteFails) {
                             }),
                std::runtime_error);
   EXPECT_EQ(names(), std::set<std::string>{"a.json"});
+}
+
+std::string content_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST_F(ReplaceFile, KeepsThePermissionsOfAnEarlierFile) {
+  write("a.json");
+  for (const fs::perms mode : {fs::perms::owner_read | fs::perms::owner_write,
+                               fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read,
+                               fs::perms::owner_all | fs::perms::others_read}) {
+    fs::permissions(folder_.path / "a.json", mode);
+    replace();
+    EXPECT_EQ(fs::status(folder_.path / "a.json").permissions(), mode);
+    EXPECT_EQ(content_of(folder_.path / "a.json"), "new");
+  }
+}
+
+TEST_F(ReplaceFile, WritesToWhatALinkLeadsTo) {
+  fs::create_directory(folder_.path / "other");
+  write("other/there.json");
+  fs::create_symlink("other/next", folder_.path / "a.json");
+  fs::create_symlink("there.json", folder_.path / "other/next");
+  replace();
+  EXPECT_EQ(content_of(folder_.path / "other/there.json"), "new");
+  EXPECT_TRUE(fs::is_symlink(folder_.path / "a.json"));
+  EXPECT_TRUE(fs::is_symlink(folder_.path / "other/next"));
+  fs::remove(folder_.path / "other/there.json");  // a link to a file that is yet to be made
+  replace();
+  EXPECT_EQ(content_of(folder_.path / "other/there.json"), "new");
+  EXPECT_TRUE(fs::is_symlink(folder_.path / "a.json"));
+}
+
+TEST_F(ReplaceFile, WritesIntoAPipeAndLeavesIt) {
+  const fs::path pipe = folder_.path / "a.json";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::string got;
+  std::thread reader([&] { got = content_of(pipe); });
+  replace();
+  reader.join();
+  EXPECT_EQ(got, "new");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_EQ(names(), std::set<std::string>{"a.json"});
+}
+
+TEST_F(ReplaceFile, GoesOnWithWhatIsOpenAlready) {
+  const fs::path log = folder_.path / "log";
+  const int open = ::open(log.c_str(), O_WRONLY | O_CREAT, 0600);
+  ASSERT_EQ(::write(open, "old ", 4), 4);
+  const std::string name = "/proc/self/fd/" + std::to_string(open);
+  EXPECT_TRUE(is_written_in_place(name));
+  fs::create_symlink(name, folder_.path / "a.json");
+  replace();
+  ASSERT_EQ(::write(open, " more", 5), 5);
+  EXPECT_EQ(content_of(log), "old new more");
+  ::close(open);
 }
 
 }  // namespace

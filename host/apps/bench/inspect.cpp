@@ -112,7 +112,8 @@ int inspect_model(const InspectOptions& options) {
   const Inspection seen = inspect(load_source(spec), spec);
   json summary = to_json(seen);
   summary["model"] = spec.model;
-  const std::string written = summary.dump(2) + "\n";
+  // Names of files may be any bytes, and JSON is UTF-8.
+  const std::string written = summary.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
   if (options.json_file == "-") {
     fmt::print("{}", written);
   } else {

@@ -50,7 +50,7 @@ void add_run_options(CLI::App& app, Parsed& parsed) {
 }
 
 void add_inspect_options(CLI::App& app, Parsed& parsed) {
-  parsed.run.add(app, {"model", "axis", "contact", "up", "unit", "size", "density", "fineness"});
+  parsed.run.add(app, {"model", "axis", "contact", "up", "unit", "weld", "size", "density", "fineness"});
   app.add_option("--json", parsed.once.json_file, "write it all as JSON; - for standard output");
 }
 
@@ -111,7 +111,8 @@ int dispatch(int argc, char** argv) {
   add_simulate_options(*simulated, parsed.simulate, [&](const std::string& field, const std::string& text) {
     parsed.run.say(field, text);
   });
-  parsed.run.add(*simulated, {"axis", "up", "unit", "size", "density", "void-density", "fineness", "device"});
+  parsed.run.add(*simulated,
+                 {"axis", "up", "unit", "weld", "size", "density", "void-density", "fineness", "device"});
   parsed.run.add_settings(*simulated, "problem.NAME=VALUE");
   CLI::App* nested = app.add_subcommand(
       "nest", "does one shape fit into another, to be taken out through a cut, and how large");

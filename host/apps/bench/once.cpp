@@ -119,6 +119,7 @@ RunOutput run_showing_steps(const OnceOptions& options) {
 int run_once(const OnceOptions& options) {
   require_writable(options.json_file, "--json");
   require_writable(options.mesh_file, "--mesh");
+  require_replaceable(options.mesh_file, "--mesh");
   if (!options.mesh_file.empty()) (void)mesh_format(options.mesh_file);
   require_writable(options.record_file, "--record");
   const RunOutput output = run_showing_steps(options);

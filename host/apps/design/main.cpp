@@ -47,7 +47,7 @@ void add_options(CLI::App& app, Parsed& parsed, const Purpose& purpose) {
   parsed.outputs.add(app, "the part");
   run.add(app, purpose.fields);
   run.add(app, "--wall", "wall", "least wall: mm, or 2% (of the longest side, the default), or 1.5h (cells)");
-  run.add(app, {"unit", "size", "density", "interior-density", "void-density", "fineness", "device"});
+  run.add(app, {"unit", "weld", "size", "density", "interior-density", "void-density", "fineness", "device"});
   run.add(app, "--resolution", "resolution", "cells along the longest side; default 128");
   run.add(app, "--formulation", "formulation", "how the interior is described; default quadric");
   run.add_settings(app, "GROUP.NAME=VALUE, as for `bench`");

@@ -6,6 +6,7 @@
 
 #include "apps/shared/outputs.hpp"
 #include "error.hpp"
+#include "file/replace_file.hpp"
 #include "file/write_text.hpp"
 #include "mesh/io/format.hpp"
 
@@ -20,10 +21,11 @@ void DesignOutputs::add(CLI::App& app, const std::string& what) {
 
 void DesignOutputs::require_writable() const {
   (void)mesh_format(part);
+  apps::require_replaceable(part, "--output");
   for (const auto& [file, option] :
        {std::pair{part, "--output"}, std::pair{json, "--json"}, std::pair{html, "--html"}}) {
     apps::require_writable(file, option);
-    if (!file.empty() && file != "-") require_new(file, option, force);
+    if (!file.empty() && file != "-" && !is_written_in_place(file)) require_new(file, option, force);
   }
 }
 

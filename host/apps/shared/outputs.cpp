@@ -10,13 +10,20 @@
 #include <filesystem>
 
 #include "error.hpp"
+#include "file/replace_file.hpp"
 
 namespace kreisel::core::apps {
 
 void require_writable(const std::string& file, const char* option) {
   if (file.empty() || file == "-") return;
   std::error_code ignored;
-  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  if (is_written_in_place(file)) {
+    if (::access(file.c_str(), W_OK) != 0)
+      throw InputError(
+          fmt::format("{} {}: {}; expected write permission", option, file, std::strerror(errno)));
+    return;
+  }
+  const std::filesystem::path folder = std::filesystem::absolute(written_path(file)).parent_path();
   if (!std::filesystem::is_directory(folder, ignored))
     throw InputError(
         fmt::format("{} {}; expected an existing folder, {} is none", option, file, folder.string()));
@@ -30,6 +37,12 @@ void require_writable(const std::string& file, const char* option) {
                                  folder.string(), std::strerror(errno)));
   ::close(opened);
   ::unlink(probe.c_str());
+}
+
+void require_replaceable(const std::string& file, const char* option) {
+  if (!file.empty() && is_written_in_place(file))
+    throw InputError(
+        fmt::format("{} {} is no file of its own; expected one: the part is read again", option, file));
 }
 
 std::string output_error() {

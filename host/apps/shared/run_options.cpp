@@ -32,6 +32,7 @@ constexpr FieldOption fields[] = {
      "a point of the axis, mm; default the lowest along it, for yoyo the centre of mass"},
     {"up", "up", "up direction x,y,z; default the model's, else 0,0,1"},
     {"unit", "unit", "of an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm"},
+    {"weld", "weld", "corners at open edges of a file this near are one, mm; default as its digits say"},
     {"size", "size", "longest side in mm; default as the model is"},
     {"density", "density", "of the shell, g/cm^3; default 1"},
     {"interior-density", "interior-density", "of what is left of the interior, g/cm^3; default the shell's"},

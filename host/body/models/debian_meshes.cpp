@@ -104,7 +104,7 @@ TriangleMesh read_debian_mesh(const DebianMesh& mesh, const std::filesystem::pat
                     "package to be installed (apt install libcgal-demo)",
                     mesh.name, archive.string()));
   const std::string entry = fmt::format("data/meshes/{}", mesh.file);
-  return read_off({fmt::format("{}:{}", archive.string(), entry), extract(archive, entry)});
+  return read_off({fmt::format("{}:{}", archive.string(), entry), extract(archive, entry)}).mesh;
 }
 
 }  // namespace kreisel::core

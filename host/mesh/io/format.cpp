@@ -1,5 +1,10 @@
 #include "mesh/io/format.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "error.hpp"
 #include "mesh/io/encode.hpp"
 #include "mesh/io/read_3mf.hpp"
 #include "mesh/io/read_obj.hpp"

@@ -6,8 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/io/mesh_file.hpp"
 #include "mesh/io/mesh_object.hpp"
-#include "mesh/io/mesh_text.hpp"
+#include "mesh/io/mesh_reading.hpp"
 
 namespace kreisel::core {
 
@@ -16,7 +17,7 @@ struct MeshFormat {
   std::string_view extension;  ///< lower case, with the dot
   std::string_view name;
   bool has_unit;  ///< a file says what its lengths are in; read() turns them into millimetres
-  TriangleMesh (*read)(const MeshFile& file);
+  MeshReading (*read)(const MeshFile& file);
   /// The bytes of a file of that name with all parts. @throws InputError  something the format cannot hold
   std::string (*encode)(const std::vector<TriangleMesh>& parts, const std::string& name);
   /// The same as several objects with names, and back, in their order; null where a format has no objects.

@@ -1,7 +1,13 @@
 #include "mesh/io/ply_header.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <utility>
+
+#include "mesh/io/text.hpp"
+#include "parse.hpp"
 
 namespace kreisel::core::ply {
 namespace {
@@ -9,24 +15,32 @@ namespace {
 /// Lines of the header, counted for the errors.
 class HeaderLines {
  public:
-  explicit HeaderLines(const MeshFile& file) : file_(file) {}
+  explicit HeaderLines(const MeshFile& file) : file_(file), rest_(text_of(file)) {
+    // As the first line ends, so do all: the body may begin with any byte, a line feed among them.
+    const std::string_view first = rest_.substr(0, rest_.find('\n'));
+    const std::size_t back = first.find('\r');
+    if (back < first.size() - 1 && back != std::string_view::npos) end_ = '\r';
+  }
 
   std::string_view next() {
-    const std::size_t end = file_.bytes.find('\n', offset_);
+    const std::size_t end = rest_.find(end_);
     ++number_;
-    if (end == std::string::npos) throw error("the header ends without 'end_header', expected a whole file");
-    const std::string_view line = std::string_view(file_.bytes).substr(offset_, end - offset_);
-    offset_ = end + 1;
+    if (end == std::string_view::npos)
+      throw error("the header ends without 'end_header', expected a whole file");
+    const std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(end + 1);
     return line;
   }
-  [[nodiscard]] std::size_t offset() const { return offset_; }
+  [[nodiscard]] std::string_view rest() const { return rest_; }
   [[nodiscard]] InputError error(std::string_view what) const {
     return InputError(fmt::format("{}: line {}: {}", file_.name, number_, what));
   }
 
  private:
   const MeshFile& file_;
-  std::size_t offset_ = 0, number_ = 0;
+  std::string_view rest_;
+  char end_ = '\n';
+  std::size_t number_ = 0;
 };
 
 Type type_of(std::string_view word, const HeaderLines& lines) {
@@ -80,7 +94,7 @@ Property property_of(std::string_view line, const HeaderLines& lines) {
 
 Header read_header(const MeshFile& file) {
   HeaderLines lines(file);
-  if (!file.bytes.starts_with("ply\n") && !file.bytes.starts_with("ply\r"))
+  if (std::string_view first = text_of(file).substr(0, 4); next_word(first) != "ply")
     throw InputError(fmt::format("{}: does not begin with 'ply', expected a PLY file", file.name));
   (void)lines.next();
   Header header{};
@@ -110,7 +124,7 @@ Header read_header(const MeshFile& file) {
     if (element.properties.empty() && element.count)
       throw lines.error(fmt::format("element '{}' has no property, expected one or more", element.name));
   if (!format_seen) throw lines.error("the header has no 'format', expected ascii or binary");
-  header.body = lines.offset();
+  header.body = lines.rest();
   return header;
 }
 

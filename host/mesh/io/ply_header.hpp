@@ -1,11 +1,13 @@
 // ply_header.hpp - what a PLY file says it holds.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "mesh/io/mesh_text.hpp"
+#include "mesh/io/mesh_file.hpp"
 
 namespace kreisel::core::ply {
 
@@ -27,7 +29,7 @@ struct Element {
 struct Header {
   Encoding encoding;
   std::vector<Element> elements;
-  std::size_t body;  ///< offset of the first byte behind it
+  std::string_view body;  ///< all bytes behind it
 };
 
 /// @throws InputError  no PLY file, or a header that does not say what follows; with the line

@@ -1,8 +1,11 @@
 #include "mesh/io/read.hpp"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <iterator>
 
+#include "error.hpp"
 #include "mesh/io/format.hpp"
 
 namespace kreisel::core {
@@ -25,13 +28,18 @@ std::string contents(const std::filesystem::path& path) {
 
 }  // namespace
 
-TriangleMesh read_mesh(const std::filesystem::path& path) {
+MeshReading read_mesh_file(const std::filesystem::path& path) {
   const MeshFormat& format = mesh_format(path);
-  TriangleMesh mesh = format.read({path.string(), contents(path)});
-  if (mesh.triangles.empty())
-    throw InputError(fmt::format("{}: no triangles, expected at least one face", path.string()));
-  return mesh;
+  MeshReading reading = format.read({path.string(), contents(path)});
+  if (reading.mesh.triangles.empty()) {
+    std::string notes;
+    for (const std::string& note : reading.notes) notes += "; " + note;
+    throw InputError(fmt::format("{}: no triangles, expected at least one face{}", path.string(), notes));
+  }
+  return reading;
 }
+
+TriangleMesh read_mesh(const std::filesystem::path& path) { return read_mesh_file(path).mesh; }
 
 std::vector<TriangleMesh> read_objects(const std::filesystem::path& path) {
   const MeshFormat& format = mesh_format(path);

@@ -1,194 +1,188 @@
 #include "mesh/io/read_3mf.hpp"
 
-#include <Common/NMR_ErrorConst.h>
+#include <fmt/format.h>
 
-#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <string>
 
+#include "error.hpp"
 #include "mesh/io/encode.hpp"
-#include "mesh/io/lib3mf_handle.hpp"
+#include "mesh/io/threemf/model.hpp"
+#include "mesh/io/threemf/package.hpp"
+#include "mesh/io/threemf/settings.hpp"
+#include "mesh/io/threemf/xml.hpp"
 
 namespace kreisel::core {
 namespace {
 
-using Transform = Eigen::Transform<double, 3, Eigen::AffineCompact>;
+using threemf::Model;
+using threemf::Object;
+using threemf::Package;
+using threemf::Placed;
+using threemf::Role;
+using threemf::Transform;
 
 /// More than any printer takes; components that multiply each other reach any number from a small file.
 constexpr std::size_t most_triangles = 100'000'000;
+/// Components of components; more only where they go round in a circle.
+constexpr int deepest = 64;
 
-double millimetres(DWORD unit, const std::string& name) {
-  switch (unit) {
-    case NMR::MODELUNIT_MICROMETER:
-      return 1e-3;
-    case NMR::MODELUNIT_MILLIMETER:
-      return 1;
-    case NMR::MODELUNIT_CENTIMETER:
-      return 10;
-    case NMR::MODELUNIT_INCH:
-      return 25.4;
-    case NMR::MODELUNIT_FOOT:
-      return 304.8;
-    case NMR::MODELUNIT_METER:
-      return 1000;
-    default:
-      throw InputError(fmt::format("{}: 3MF unit number {}, expected micron to meter", name, unit));
+/// The part that the package's own relations call its model.
+class RootOfPackage final : public threemf::XmlVisitor {
+ public:
+  void start(const threemf::Element& e) override {
+    if (e.name == "Relationship" && e.get("Type").value_or("").ends_with("/3dmodel") && name.empty())
+      name = threemf::part_name(e.get("Target").value_or(""));
   }
-}
-
-Transform to_eigen(const NMR::MODELTRANSFORM& t) {
-  Transform result;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 4; ++j) result.matrix()(i, j) = t.m_fFields[i][j];
-  return result;
-}
-
-/// Attributes that slicers add, metadata, identifiers and thumbnails.
-bool without_bearing(DWORD warning) {
-  constexpr DWORD codes[] = {NMR_ERROR_NAMESPACE_INVALID_ATTRIBUTE,
-                             NMR_ERROR_INVALIDMETADATACOUNT,
-                             NMR_ERROR_DUPLICATEMETADATA,
-                             NMR_ERROR_INVALIDMETADATA,
-                             NMR_ERROR_METADATA_COULDNOTGETNAMESPACE,
-                             NMR_ERROR_UNKNOWNMETADATA,
-                             NMR_ERROR_DUPLICATEUUID,
-                             NMR_ERROR_UUID_NOT_UNIQUE,
-                             NMR_ERROR_MISSINGUUID,
-                             NMR_ERROR_OPCCOULDNOTGETTHUMBNAILSTREAM,
-                             NMR_ERROR_DUPLICATEOBJECTTHUMBNAIL,
-                             NMR_ERROR_DUPLICATETHUMBNAIL};
-  return std::find(std::begin(codes), std::end(codes), warning) != std::end(codes);
-}
+  std::string name;
+};
 
 class Reader {
  public:
-  explicit Reader(const MeshFile& file) : name_(file.name) {
-    require(NMR::lib3mf_createmodel(model_.out()), nullptr);
-    Lib3mfHandle reader;
-    require(NMR::lib3mf_model_queryreader(model_.get(), "3mf", reader.out()), model_.get());
-    // The library's signature lacks a const.
-    auto* bytes = reinterpret_cast<BYTE*>(const_cast<char*>(file.bytes.data()));
-    require(NMR::lib3mf_reader_readfrombuffer(reader.get(), bytes, file.bytes.size()), reader.get());
-    refuse_warnings(reader);
+  explicit Reader(const MeshFile& file) : file_(file), package_(threemf::unpack(file)) {
+    RootOfPackage root;
+    if (const auto relations = package_.find("_rels/.rels"); relations != package_.end())
+      threemf::walk_xml(relations->second, fmt::format("{}: 3MF: {}", file.name, relations->first), root);
+    root_ = root.name.empty() ? "3d/3dmodel.model" : root.name;
+    settings_ = threemf::slicer_settings(package_, file.name);
   }
 
-  /// A mesh for each build item.
+  /// A mesh for each build item that is material.
   std::vector<TriangleMesh> meshes() {
     std::vector<TriangleMesh> all;
-    DWORD unit = 0;
-    require(NMR::lib3mf_model_getunit(model_.get(), &unit), model_.get());
-    const Transform to_millimetres(Eigen::UniformScaling<double>(millimetres(unit, name_)));
-    Lib3mfHandle items;
-    require(NMR::lib3mf_model_getbuilditems(model_.get(), items.out()), model_.get());
-    for (BOOL more = 0;;) {
-      require(NMR::lib3mf_builditemiterator_movenext(items.get(), &more), items.get());
-      if (!more) return all;
-      Lib3mfHandle item, object;
-      require(NMR::lib3mf_builditemiterator_getcurrent(items.get(), item.out()), items.get());
-      require(NMR::lib3mf_builditem_getobjectresource(item.get(), object.out()), item.get());
-      BOOL has = 0;
-      NMR::MODELTRANSFORM t{};
-      require(NMR::lib3mf_builditem_hasobjecttransform(item.get(), &has), item.get());
-      if (has) require(NMR::lib3mf_builditem_getobjecttransform(item.get(), &t), item.get());
+    for (const Placed& item : model(root_).items) {
       mesh_ = {};
-      add_object(object, has ? to_millimetres * to_eigen(t) : to_millimetres);
-      all.push_back(std::move(mesh_));
+      if (!is_left_out(item.role)) add(item, root_, Transform::Identity(), 0);
+      if (!mesh_.triangles.empty()) all.push_back(std::move(mesh_));
     }
+    return all;
   }
+
+  [[nodiscard]] std::vector<std::string> notes() const {
+    std::vector<std::string> lines;
+    for (const auto& [role, count] : left_out_)
+      lines.push_back(fmt::format("left out what is no material: {}{}", role,
+                                  count > 1 ? fmt::format(" ({} times)", count) : ""));
+    for (const auto& [element, count] : passed_over_)
+      lines.push_back(fmt::format("passed over {} of '{}', which an extension of 3MF adds", count, element));
+    return lines;
+  }
+
+  /// What the digits cannot tell apart, mm.
+  [[nodiscard]] double weld() const { return weld_; }
 
  private:
-  void require(LIB3MFRESULT result, NMR::PLib3MFBase* object) const {
-    require_3mf(result, object, name_, "a whole 3MF package");
+  [[nodiscard]] InputError error(const std::string& what) const {
+    return InputError(fmt::format("{}: 3MF: {}", file_.name, what));
   }
 
-  /// The library goes on after most faults, with a default or without the part; only what has no bearing on
-  /// shape is let through.
-  void refuse_warnings(const Lib3mfHandle& reader) const {
-    DWORD count = 0;
-    require(NMR::lib3mf_reader_getwarningcount(reader.get(), &count), reader.get());
-    for (DWORD i = 0; i < count; ++i) {
-      DWORD code = 0;
-      char text[512] = {};
-      ULONG needed = 0;
-      require(NMR::lib3mf_reader_getwarningutf8(reader.get(), i, &code, text, sizeof text, &needed),
-              reader.get());
-      if (!without_bearing(code))
-        throw InputError(
-            fmt::format("{}: 3MF: {} (error {:#x}), expected a valid package", name_, text, code));
+  const Model& model(const std::string& name) {
+    if (const auto known = models_.find(name); known != models_.end()) return known->second;
+    const auto part = package_.find(name);
+    if (part == package_.end())
+      throw error(fmt::format("no part '{}' in the package, expected a model", shown(name)));
+    return models_
+        .emplace(name, threemf::read_model(part->second, fmt::format("{}: 3MF: {}", file_.name, name)))
+        .first->second;
+  }
+
+  /// Whether what has this role is no material; then it is counted.
+  bool is_left_out(const Role& role) {
+    if (role == threemf::negative_volume)
+      throw error("a negative volume, expected one that has been subtracted from its part");
+    if (!role.empty()) ++left_out_[role];
+    return !role.empty();
+  }
+
+  /// The object at its place, in the frame that `outer` (in mm) lays. @param part  the model that says so
+  void add(const Placed& placed, const std::string& part, const Transform& outer, int depth) {
+    const std::string& home = placed.path.empty() ? part : placed.path;
+    const Model& there = model(home);
+    const auto found = there.objects.find(placed.object);
+    if (found == there.objects.end())
+      throw error(fmt::format("Object {} is not in '{}', expected one that is", shown(placed.object), home));
+    if (depth > deepest)
+      throw error(fmt::format("Object {} has components within components {} deep, expected fewer",
+                              shown(placed.object), depth));
+    const Object& object = found->second;
+    if (is_left_out(object.role)) return;
+    for (const auto& [element, count] : object.passed_over) passed_over_[element] += count;
+    Transform inner = placed.transform;
+    inner.translation() *= model(part).millimetres;
+    const Transform transform = outer * inner;
+    add_mesh(object, placed.object, home, transform * Eigen::Scaling(there.millimetres));
+    for (const Placed& component : object.components) {
+      require_few(1);
+      const Role role = home == root_ ? settings_.of_component(placed.object, component.object) : Role{};
+      if (!is_left_out(role)) add(component, home, transform, depth + 1);
     }
   }
 
-  void add_object(const Lib3mfHandle& object, const Transform& transform) {
-    DWORD type = 0;
-    require(NMR::lib3mf_object_gettype(object.get(), &type), object.get());
-    if (type == NMR::MODELOBJECTTYPE_SUPPORT || type == NMR::MODELOBJECTTYPE_SOLIDSUPPORT) return;
-    BOOL is_mesh = 0;
-    require(NMR::lib3mf_object_ismeshobject(object.get(), &is_mesh), object.get());
-    is_mesh ? add_mesh(object, transform) : add_components(object, transform);
+  void require_few(std::size_t more) {
+    if ((read_ += more) > most_triangles)
+      throw error(fmt::format("components add up to more than {} triangles, expected fewer", most_triangles));
   }
 
-  void add_components(const Lib3mfHandle& object, const Transform& transform) {
-    DWORD count = 0;
-    require(NMR::lib3mf_componentsobject_getcomponentcount(object.get(), &count), object.get());
-    for (DWORD i = 0; i < count; ++i) {
-      Lib3mfHandle component, part;
-      require(NMR::lib3mf_componentsobject_getcomponent(object.get(), i, component.out()), object.get());
-      require(NMR::lib3mf_component_getobjectresource(component.get(), part.out()), component.get());
-      BOOL has = 0;
-      NMR::MODELTRANSFORM t{};
-      require(NMR::lib3mf_component_hastransform(component.get(), &has), component.get());
-      if (has) require(NMR::lib3mf_component_gettransform(component.get(), &t), component.get());
-      add_object(part, has ? transform * to_eigen(t) : transform);
-    }
-  }
-
-  void add_mesh(const Lib3mfHandle& object, const Transform& transform) {
-    DWORD vertices = 0, triangles = 0;
-    require(NMR::lib3mf_meshobject_getvertexcount(object.get(), &vertices), object.get());
-    require(NMR::lib3mf_meshobject_gettrianglecount(object.get(), &triangles), object.get());
-    if ((read_ += triangles) > most_triangles)
-      throw InputError(fmt::format("{}: 3MF: components add up to more than {} triangles, expected fewer",
-                                   name_, most_triangles));
-    std::vector<NMR::MODELMESHVERTEX> points(vertices);
-    std::vector<NMR::MODELMESHTRIANGLE> faces(triangles);
-    if (vertices)
-      require(NMR::lib3mf_meshobject_getvertices(object.get(), points.data(), vertices, nullptr),
-              object.get());
-    if (triangles)
-      require(NMR::lib3mf_meshobject_gettriangleindices(object.get(), faces.data(), triangles, nullptr),
-              object.get());
+  void add_mesh(const Object& object, const std::string& id, const std::string& home,
+                const Transform& to_mm) {
+    const std::vector<bool> material = material_of(object, id, home);
+    require_few(object.mesh.triangles.size());
     const auto offset = std::uint32_t(mesh_.vertices.size());
-    for (const NMR::MODELMESHVERTEX& v : points) {
-      const Vec3 p = transform * Vec3(v.m_fPosition[0], v.m_fPosition[1], v.m_fPosition[2]);
+    for (std::size_t v = 0; v < object.mesh.vertices.size(); ++v) {
+      const Vec3 p = to_mm * object.mesh.vertices[v];
       if (!p.allFinite())
-        throw InputError(fmt::format("{}: vertex {} is ({}, {}, {}), expected finite coordinates", name_,
-                                     mesh_.vertices.size() - offset + 1, p.x(), p.y(), p.z()));
+        throw error(fmt::format("vertex {} is ({}, {}, {}), expected finite coordinates", v + 1, p.x(), p.y(),
+                                p.z()));
       mesh_.vertices.push_back(p);
     }
-    const bool mirrors = transform.linear().determinant() < 0;
-    for (const NMR::MODELMESHTRIANGLE& t : faces) {
-      for (const DWORD index : t.m_nIndices)
-        if (index >= vertices)
-          throw InputError(
-              fmt::format("{}: vertex index {}, expected 0 to {}", name_, index, std::int64_t(vertices) - 1));
-      const std::uint32_t a = offset + t.m_nIndices[0], b = offset + t.m_nIndices[1],
-                          c = offset + t.m_nIndices[2];
-      mesh_.triangles.push_back(mirrors ? Triangle{a, c, b} : Triangle{a, b, c});
+    const bool mirrors = to_mm.linear().determinant() < 0;
+    for (std::size_t t = 0; t < object.mesh.triangles.size(); ++t) {
+      if (!material[t]) continue;
+      const auto& [a, b, c] = object.mesh.triangles[t];
+      mesh_.triangles.push_back(mirrors ? Triangle{offset + a, offset + c, offset + b}
+                                        : Triangle{offset + a, offset + b, offset + c});
     }
+    const double largest = largest_coordinate(object.mesh);
+    weld_ = std::max(weld_, model(home).digits.weld(largest) * to_mm.linear().colwise().norm().maxCoeff());
   }
 
-  std::string name_;
-  Lib3mfHandle model_;
+  /// Which triangles of its mesh are, by PrusaSlicer's volumes.
+  std::vector<bool> material_of(const Object& object, const std::string& id, const std::string& home) {
+    std::vector<bool> material(object.mesh.triangles.size(), true);
+    const auto ranges = settings_.ranges.find(id);
+    if (home != root_ || ranges == settings_.ranges.end()) return material;
+    for (const threemf::RoleRange& range : ranges->second) {
+      if (range.first > range.last || range.last >= material.size())
+        throw error(fmt::format("a volume of the triangles {} to {} of object {}, expected some of 0 to {}",
+                                range.first, range.last, id, std::int64_t(material.size()) - 1));
+      if (is_left_out(range.role))
+        std::fill(material.begin() + std::ptrdiff_t(range.first),
+                  material.begin() + std::ptrdiff_t(range.last) + 1, false);
+    }
+    return material;
+  }
+
+  const MeshFile& file_;
+  Package package_;
+  std::string root_;  ///< the model that is built
+  threemf::SlicerSettings settings_;
+  std::map<std::string, Model> models_;
   TriangleMesh mesh_;     ///< of the build item under way
-  std::size_t read_ = 0;  ///< triangles of all of them
+  std::size_t read_ = 0;  ///< triangles and components of all of them
+  double weld_ = 0;
+  std::map<Role, std::size_t> left_out_;
+  std::map<std::string, std::size_t> passed_over_;
 };
 
 }  // namespace
 
-TriangleMesh read_3mf(const MeshFile& file) { return joined(read_3mf_objects(file), file.name); }
-
-std::vector<TriangleMesh> read_3mf_objects(const MeshFile& file) {
-  if (!file.bytes.starts_with("PK"))
-    throw InputError(fmt::format("{}: no ZIP archive, expected a 3MF package", file.name));
-  return Reader(file).meshes();
+MeshReading read_3mf(const MeshFile& file) {
+  Reader reader(file);
+  TriangleMesh mesh = joined(reader.meshes(), file.name);
+  return {std::move(mesh), reader.weld(), reader.notes()};
 }
+
+std::vector<TriangleMesh> read_3mf_objects(const MeshFile& file) { return Reader(file).meshes(); }
 
 }  // namespace kreisel::core

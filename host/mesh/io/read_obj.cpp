@@ -1,107 +1,161 @@
-// Connectivity by OpenMesh, coordinates by us: OpenMesh 9 narrows them to float and drops vertices it cannot
-// read. It gets only the vertex and face lines, so it neither looks for material files nor warns about them.
 #include "mesh/io/read_obj.hpp"
 
-#include <OpenMesh/Core/IO/Options.hh>
-#include <OpenMesh/Core/IO/reader/OBJReader.hh>
-#include <OpenMesh/Core/System/omstream.hh>
-#include <sstream>
+#include <fmt/format.h>
 
-#include "mesh/io/polygon_collector.hpp"
+#include <map>
+
+#include "mesh/io/polygons.hpp"
+#include "mesh/io/text.hpp"
+#include "parse.hpp"
 
 namespace kreisel::core {
 namespace {
 
-/// OpenMesh writes to stderr through a stream of its own; closed while this lives.
-class QuietOpenMesh {
+/// The statements of an OBJ file: a backslash at the end of a line continues it on the next, not so in a
+/// comment.
+class Statements {
  public:
-  QuietOpenMesh() : was_on_(omerr().is_enabled()) { omerr().disable(); }
-  ~QuietOpenMesh() {
-    if (was_on_) omerr().enable();
+  explicit Statements(const MeshFile& file) : name_(file.name), rest_(text_of(file)) {}
+
+  /// Moves to the next line with content; false at the end of the file. @param line  valid until the next
+  /// call
+  bool next(std::string_view& line) {
+    while (!rest_.empty()) {
+      number_ += 1 + continued_;
+      continued_ = 0;
+      line = cut();
+      if (continues(line)) line = join(line);
+      std::string_view probe = line;
+      if (!next_word(probe).empty()) return true;
+    }
+    return false;
   }
-  QuietOpenMesh(const QuietOpenMesh&) = delete;
-  QuietOpenMesh& operator=(const QuietOpenMesh&) = delete;
+
+  /// An error at the current line, the first of those that are continued.
+  [[nodiscard]] InputError error(std::string_view what) const {
+    return InputError(fmt::format("{}: line {}: {}", name_, number_, what));
+  }
 
  private:
-  bool was_on_;
-};
-
-/// A backslash at the end of a line continues it on the next.
-MeshFile joined(const MeshFile& file) {
-  MeshFile out = file;
-  std::string& s = out.bytes;
-  for (std::size_t at = s.find('\\'); at != std::string::npos; at = s.find('\\', at + 1)) {
-    const std::size_t end = s.find_first_not_of(" \t\r", at + 1);
-    if (end != std::string::npos && s[end] == '\n') s.replace(at, end + 1 - at, 1, ' ');
+  /// The next line without its comment.
+  std::string_view cut() {
+    const std::string_view line = cut_line(rest_);
+    return line.substr(0, line.find('#'));
   }
-  return out;
-}
 
-/// What OpenMesh is to see, and the coordinates it is not.
-struct Scan {
-  std::vector<Vec3> vertices;
-  std::string connectivity;
-  std::size_t faces = 0;
-};
+  /// Cuts the backslash off.
+  static bool continues(std::string_view& line) {
+    const std::size_t last = line.find_last_not_of(" \t\v\f");
+    if (last == std::string_view::npos || line[last] != '\\') return false;
+    line = line.substr(0, last);
+    return true;
+  }
 
-Scan scan(const MeshFile& file) {
-  Scan out;
-  MeshLines lines(file);
-  for (std::string_view line; lines.next(line);) {
-    const std::string_view keyword = next_word(line);
-    if (keyword == "v") {
-      out.vertices.push_back(lines.point(line, out.vertices.size() + 1));
-      out.connectivity += "v 0 0 0\n";  // keeps its place: negative indices count back from here
-    } else if (keyword == "f") {
-      out.connectivity += 'f';
-      std::size_t corners = 0;
-      for (std::string_view word; !(word = next_word(line)).empty(); ++corners) {
-        const std::string_view index = word.substr(0, word.find('/'));  // then texture and normal, not used
-        const auto value = parse<std::int32_t>(index);
-        if (!value || *value == 0)
-          throw lines.error(
-              fmt::format("vertex index '{}', expected a whole number, 1 or more", shown(word)));
-        (out.connectivity += ' ') += index;
-      }
-      if (corners < 3) throw lines.error(fmt::format("face of {} corners, expected 3 or more", corners));
-      out.connectivity += '\n';
-      ++out.faces;
+  std::string_view join(std::string_view line) {
+    joined_ = line;
+    for (bool more = true; more && !rest_.empty();) {
+      line = cut();
+      ++continued_;
+      more = continues(line);
+      (joined_ += ' ') += line;
     }
+    return joined_;
   }
-  return out;
-}
 
-PolygonCollector connect(const Scan& scanned) {
-  const QuietOpenMesh quiet;
-  PolygonCollector collector;
-  std::istringstream in(scanned.connectivity);
-  OpenMesh::IO::Options options;
-  OpenMesh::IO::OBJReader().read(in, collector, options);
-  return collector;
-}
+  const std::string& name_;
+  std::string_view rest_;
+  std::string joined_;
+  std::size_t number_ = 0, continued_ = 0;
+};
+
+class Reader {
+ public:
+  explicit Reader(const MeshFile& file) : file_(file), statements_(file) {}
+
+  MeshReading read() {
+    for (std::string_view line; statements_.next(line);) {
+      const std::string_view keyword = next_word(line);
+      if (keyword == "v")
+        add_vertex(line);
+      else if (keyword == "f" || keyword == "fo")  // its name before 1995
+        add_face(line);
+      else if (keyword != "vt" && keyword != "vn")
+        ++passed_over_[shown(keyword)];
+    }
+    require_indices();
+    MeshReading reading = triangulated(std::move(mesh_));
+    reading.weld = digits_.weld(largest_coordinate(reading.mesh));
+    if (!passed_over_.empty()) reading.notes.push_back(what_was_passed_over());
+    return reading;
+  }
+
+ private:
+  /// Behind the coordinates may be a weight or a colour.
+  void add_vertex(std::string_view line) {
+    Vec3 p;
+    for (double& x : p) {
+      const std::string_view word = next_word(line);
+      const auto value = parse<double>(word);
+      if (!value)
+        throw statements_.error(fmt::format("coordinate '{}' of vertex {}, expected three finite numbers",
+                                            shown(word), mesh_.vertices.size() + 1));
+      digits_.see(word, *value);
+      x = *value;
+    }
+    mesh_.vertices.push_back(p);
+  }
+
+  /// Each corner is vertex/texture/normal, of which only the vertex is read; below 0 it counts back from the
+  /// last vertex so far.
+  void add_face(std::string_view line) {
+    corners_.clear();
+    for (std::string_view word; !(word = next_word(line)).empty();) {
+      const auto index = parse<std::int64_t>(word.substr(0, word.find('/')));
+      if (!index || *index == 0 || *index > UINT32_MAX)
+        throw statements_.error(
+            fmt::format("vertex index '{}', expected a whole number, 1 or more", shown(word)));
+      const std::int64_t place = *index > 0 ? *index - 1 : *index + std::int64_t(mesh_.vertices.size());
+      if (place < 0) throw bad_index(mesh_.faces() + 1, *index);
+      corners_.push_back(std::uint32_t(place));
+    }
+    if (corners_.size() < 3)
+      throw statements_.error(fmt::format("face of {} corners, expected 3 or more", corners_.size()));
+    mesh_.add(corners_);
+  }
+
+  /// A face may come before its vertices.
+  void require_indices() const {
+    for (std::size_t f = 0; f < mesh_.faces(); ++f)
+      for (const std::uint32_t v : mesh_.face(f))
+        if (v >= mesh_.vertices.size()) throw bad_index(f + 1, std::int64_t{v} + 1);
+  }
+
+  [[nodiscard]] InputError bad_index(std::size_t face, std::int64_t index) const {
+    return InputError(fmt::format("{}: face {} has vertex index {}, expected 1 to {}", file_.name, face,
+                                  index, mesh_.vertices.size()));
+  }
+
+  [[nodiscard]] std::string what_was_passed_over() const {
+    constexpr std::size_t most = 12;  // a file of something else has any words
+    std::string text = "passed over";
+    std::size_t told = 0;
+    for (const auto& [keyword, count] : passed_over_) {
+      if (told++ == most) return text + " and others";
+      text += fmt::format("{} {} of '{}'", told == 1 ? "" : ",", count, keyword);
+    }
+    return text;
+  }
+
+  const MeshFile& file_;
+  Statements statements_;
+  PolygonMesh mesh_;
+  Digits digits_;
+  std::vector<std::uint32_t> corners_;
+  std::map<std::string, std::size_t> passed_over_;
+};
 
 }  // namespace
 
-TriangleMesh read_obj(const MeshFile& file) {
-  Scan scanned = scan(joined(file));
-  const PolygonCollector collector = connect(scanned);
-  if (collector.polygons().size() != scanned.faces)
-    throw InputError(
-        fmt::format("{}: {} of {} faces could be read, expected 3 or more different corners each", file.name,
-                    collector.polygons().size(), scanned.faces));
-  TriangleMesh mesh;
-  mesh.vertices = std::move(scanned.vertices);
-  for (std::size_t f = 0; f < scanned.faces; ++f) {
-    std::vector<std::uint32_t> corners;
-    for (const OpenMesh::VertexHandle v : collector.polygons()[f]) {
-      if (v.idx() < 0 || std::size_t(v.idx()) >= mesh.vertices.size())
-        throw InputError(fmt::format("{}: face {} has vertex index {}, expected 1 to {}", file.name, f + 1,
-                                     v.idx() + 1, mesh.vertices.size()));
-      corners.push_back(std::uint32_t(v.idx()));
-    }
-    add_fan(mesh, corners);
-  }
-  return mesh;
-}
+MeshReading read_obj(const MeshFile& file) { return Reader(file).read(); }
 
 }  // namespace kreisel::core

@@ -1,12 +1,15 @@
-// Not OpenMesh's STL reader: it narrows text coordinates to float, has its merge tolerance as shared state of
-// the process, and takes what a cut-off file still holds without a word.
 #include "mesh/io/read_stl.hpp"
+
+#include <fmt/format.h>
 
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <unordered_map>
+
+#include "mesh/io/text.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -52,18 +55,20 @@ std::uint64_t binary_length(std::string_view bytes) {
 
 /// Many binary files begin with "solid" too, so that word alone decides nothing. Text has no zero bytes; a
 /// binary file has them in its facet count.
-bool is_text(std::string_view bytes) {
-  if (bytes.size() >= header_bytes + count_bytes && bytes.size() == binary_length(bytes)) return false;
-  const std::size_t start = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
-  return bytes.substr(start).starts_with("solid") && bytes.find('\0') == std::string_view::npos;
+bool is_text(const MeshFile& file) {
+  if (file.bytes.size() == binary_length(file.bytes)) return false;
+  std::string_view rest = text_of(file);
+  const std::string first = lower_case(next_word(rest).substr(0, 5));
+  return (first == "solid" || first == "facet") && rest.find('\0') == std::string_view::npos;
 }
 
-TriangleMesh read_binary(const MeshFile& file) {
+MeshReading read_binary(const MeshFile& file) {
   const std::uint64_t want = binary_length(file.bytes);
   if (file.bytes.size() != want)
     throw InputError(fmt::format("{}: binary STL of {} bytes, expected {} by its facet count", file.name,
                                  file.bytes.size(), want));
-  TriangleMesh mesh;
+  MeshReading reading;
+  TriangleMesh& mesh = reading.mesh;
   CornerMerge corner(mesh);
   const std::size_t facets = (file.bytes.size() - header_bytes - count_bytes) / facet_bytes;
   for (std::size_t f = 0; f < facets; ++f) {
@@ -79,40 +84,73 @@ TriangleMesh read_binary(const MeshFile& file) {
     }
     mesh.triangles.push_back(t);
   }
-  return mesh;
+  reading.weld = weld_of_binary(largest_coordinate(mesh), std::numeric_limits<float>::digits);
+  return reading;
 }
 
-TriangleMesh read_text(const MeshFile& file) {
-  TriangleMesh mesh;
-  CornerMerge corner(mesh);
-  MeshLines lines(file);
-  std::vector<std::uint32_t> loop;
-  std::size_t seen = 0;
-  bool open = false;  // between solid and endsolid
-  for (std::string_view line; lines.next(line);) {
-    const std::string_view word = next_word(line);
+/// The text between "solid" and the end, whose words may stand in any lines and any case; a name goes on to
+/// the end of its line, whatever it is.
+class TextReader {
+ public:
+  explicit TextReader(const MeshFile& file) : words_(file), corner_(reading_.mesh) {}
+
+  MeshReading read() {
+    for (std::string_view word; !(word = words_.next()).empty();) statement(word);
+    if (open_ || !loop_.empty())
+      throw words_.error("text STL ends without 'endsolid', expected a whole file");
+    reading_.weld = digits_.weld(largest_coordinate(reading_.mesh));
+    return std::move(reading_);
+  }
+
+ private:
+  void statement(std::string_view as_written) {
+    std::string word = lower_case(as_written);
+    if (word == "end") word += lower_case(words_.next());
     if (word == "solid") {
-      open = true;
-    } else if (word == "vertex") {
-      loop.push_back(corner(lines.point(line, ++seen)));
-    } else if (word == "endloop") {
-      if (loop.size() != 3) throw lines.error(fmt::format("facet of {} vertices, expected 3", loop.size()));
-      add_fan(mesh, loop);
-      loop.clear();
+      open_ = true;
+      words_.skip_line();
     } else if (word == "endsolid") {
-      open = false;
-    } else if (word != "facet" && word != "outer" && word != "endfacet") {
-      throw lines.error(fmt::format("'{}', expected a word of text STL", shown(word)));
+      open_ = false;
+      words_.skip_line();
+    } else if (word == "facet") {
+      skip_normal();
+    } else if (word == "vertex") {
+      loop_.push_back(corner_(words_.point(++seen_, digits_, false)));
+    } else if (word == "endloop") {
+      if (loop_.size() != 3)
+        throw words_.error(fmt::format("facet of {} vertices, expected 3", loop_.size()));
+      reading_.mesh.triangles.push_back({loop_[0], loop_[1], loop_[2]});
+      loop_.clear();
+    } else if (word != "outer" && word != "loop" && word != "endfacet") {
+      throw words_.error(fmt::format("'{}', expected a word of text STL", shown(as_written)));
     }
   }
-  if (open || !loop.empty()) throw lines.error("text STL ends without 'endsolid', expected a whole file");
-  return mesh;
-}
+
+  /// Nothing of it is used, so nothing of it is judged; it may be left out.
+  void skip_normal() {
+    Words probe = words_;
+    if (lower_case(probe.next()) != "normal") return;
+    words_ = probe;
+    for (int a = 0; a < 3; ++a) {
+      probe = words_;
+      if (lower_case(probe.next()) == "outer") return;
+      words_ = probe;
+    }
+  }
+
+  Words words_;
+  MeshReading reading_;
+  CornerMerge corner_;
+  Digits digits_;
+  std::vector<std::uint32_t> loop_;
+  std::size_t seen_ = 0;
+  bool open_ = false;  ///< between solid and endsolid
+};
 
 }  // namespace
 
-TriangleMesh read_stl(const MeshFile& file) {
-  return is_text(file.bytes) ? read_text(file) : read_binary(file);
+MeshReading read_stl(const MeshFile& file) {
+  return is_text(file) ? TextReader(file).read() : read_binary(file);
 }
 
 }  // namespace kreisel::core

@@ -12,6 +12,7 @@
 #include "mesh/solid/components.hpp"
 #include "mesh/solid/orient.hpp"
 #include "mesh/solid/separate_edges.hpp"
+#include "mesh/solid/weld.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -77,6 +78,14 @@ std::size_t drop_triangles(TriangleMesh& mesh, Predicate drop) {
   return std::erase_if(mesh.triangles, drop);
 }
 
+void weld_corners(TriangleMesh& mesh, double within, RepairReport& report) {
+  const std::size_t welded = weld_open_edges(mesh, within);
+  if (!welded) return;
+  (void)drop_unused_vertices(mesh);
+  report.lines.push_back(fmt::format("welded {} at open edges, no more than {:.2g} apart",
+                                     counted(welded, "vertex to another", "vertices to others"), within));
+}
+
 bool repeats_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 /// Drops what the predicate says if a closed surface is left.
@@ -126,9 +135,10 @@ void orient(TriangleMesh& mesh, RepairReport& report) {
 
 }  // namespace
 
-TriangleMesh repaired(TriangleMesh mesh, RepairReport& report) {
+TriangleMesh repaired(TriangleMesh mesh, RepairReport& report, double weld) {
   std::size_t unused = drop_unused_vertices(mesh);
   merge_equal_vertices(mesh, report);
+  weld_corners(mesh, weld, report);
   drop_useless_triangles(mesh, report);
   if (const std::size_t n = separate_edges(mesh))
     report.lines.push_back("separated " + counted(n, "edge", "edges") + " at which parts of the solid touch");

@@ -16,6 +16,7 @@ struct RepairReport {
 /// The same solid with safe repairs, in this order:
 /// - vertices with exactly equal coordinates become one, unless a closed surface would get edges of more
 ///   than two triangles by it;
+/// - where edges are open, vertices at them no further than `weld` apart become one (weld.hpp);
 /// - triangles that use a vertex twice go; those without area, and repeated ones, where no hole is left;
 /// - where an edge has four or more triangles around separate wedges of material, each wedge, or else each
 ///   gap, gets vertices of its own (separate_edges.hpp);
@@ -24,7 +25,8 @@ struct RepairReport {
 ///   is no such way (a Klein bottle) is left;
 /// - where a triangle without area bridges a T-junction, it and its neighbour become two with area;
 /// - outermost shells face outward, by turning each together with all it encloses.
-/// No coordinate changes and no hole is filled: the result may still be no solid (solid.hpp).
-[[nodiscard]] TriangleMesh repaired(TriangleMesh mesh, RepairReport& report);
+/// Nothing moves by more than `weld` and no hole is filled: the result may still be no solid (solid.hpp).
+/// @param weld  in units of the mesh, >= 0
+[[nodiscard]] TriangleMesh repaired(TriangleMesh mesh, RepairReport& report, double weld = 0);
 
 }  // namespace kreisel::core

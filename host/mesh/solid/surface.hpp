@@ -15,8 +15,9 @@ class Surface {
   using Pairs = std::vector<std::array<std::uint32_t, 2>>;
   using Nesting = std::vector<std::vector<std::uint32_t>>;
 
-  /// Mends the mesh (repair.hpp).
-  explicit Surface(TriangleMesh mesh) : mesh_(repaired(std::move(mesh), repairs_)) {}
+  /// Mends the mesh (repair.hpp). @param so_far  what is to be said of it beforehand
+  explicit Surface(TriangleMesh mesh, double weld = 0, RepairReport so_far = {})
+      : repairs_(std::move(so_far)), mesh_(repaired(std::move(mesh), repairs_, weld)) {}
 
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
   [[nodiscard]] const RepairReport& repairs() const { return repairs_; }

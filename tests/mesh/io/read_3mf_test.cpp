@@ -3,51 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "mesh/mesh_folder.hpp"
-#include "mesh/zip_file.hpp"
+#include "mesh/threemf_package.hpp"
 
 namespace kreisel::core {
 namespace {
 
+using namespace threemf_package;
+
 class Read3mf : public MeshFolder {};
-
-/// A package around the content of <model>.
-std::string package(const std::string& content, const std::string& attributes = "unit=\"millimeter\"") {
-  const std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>";
-  return zip_file(
-      {{"[Content_Types].xml",
-        xml + "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\"><Default "
-              "Extension=\"rels\" "
-              "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/><Default "
-              "Extension=\"model\" "
-              "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>"},
-       {"_rels/.rels",
-        xml + "<Relationships "
-              "xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\"><Relationship "
-              "Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
-              "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>"},
-       {"3D/3dmodel.model", xml +
-                                "<model xml:lang=\"en-US\" "
-                                "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" " +
-                                attributes + ">" + content + "</model>"}});
-}
-
-/// A tetrahedron with legs 1, 2, 3.
-std::string object(int id, const std::string& type = "model", const std::string& last_triangle = "2 0 3",
-                   const std::string& last_x = "0") {
-  const std::string& t = last_triangle;
-  return "<object id=\"" + std::to_string(id) + "\" type=\"" + type +
-         "\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/>"
-         "<vertex x=\"0\" y=\"2\" z=\"0\"/><vertex x=\"" +
-         last_x +
-         "\" y=\"0\" z=\"3\"/></vertices><triangles><triangle v1=\"0\" v2=\"2\" v3=\"1\"/>"
-         "<triangle v1=\"0\" v2=\"1\" v3=\"3\"/><triangle v1=\"1\" v2=\"2\" v3=\"3\"/><triangle v1=\"" +
-         t[0] + "\" v2=\"" + t[2] + "\" v3=\"" + t[4] + "\"/></triangles></mesh></object>";
-}
-
-std::string resources(const std::string& objects) { return "<resources>" + objects + "</resources>"; }
-std::string build(const std::string& items) { return "<build>" + items + "</build>"; }
-const std::string item = "<item objectid=\"1\"/>";
-const std::vector<Triangle> tetrahedron = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 
 TEST_F(Read3mf, TurnsEveryUnitIntoMillimetres) {
   const std::pair<const char*, double> units[] = {{"micron", 1e-3}, {"millimeter", 1}, {"centimeter", 10},
@@ -100,12 +63,14 @@ TEST_F(Read3mf, PassesOverSupportsAndWhatSlicersAdd) {
 TEST_F(Read3mf, SaysInOneLineWhyAPackageIsRefused) {
   const auto with = [&](const std::string& content) { return file("a.3mf", package(content)); };
   refuses(with(resources(object(1, "model", "2 0 9")) + build(item)), {"3MF", "index"});
-  refuses(with(resources(object(1, "model", "2 2 3")) + build(item)), {"3MF", "Indices"});
-  refuses(with(resources(object(1, "model", "2 0 3", "nan")) + build(item)), {"3MF", "Coordinates"});
-  refuses(with(resources(object(1, "model", "2 0 3", "inf")) + build(item)), {"3MF", "Coordinates"});
+  for (const std::string x : {"nan", "inf", "20,5", "", "0x1", "1 2"})
+    refuses(with(resources(object(1, "model", "2 0 3", x)) + build(item)),
+            {"3MF", "line 1", "'" + x + "'", "vertex 4"});
+  refuses(with(resources(object(1)) + build("<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 0 0\"/>")),
+          {"transform '1 0 0 0 1 0 0 0 1 0 0'", "12"});
   refuses(with(resources(object(1)) + build("<item objectid=\"7\"/>")), {"3MF", "Object"});
   refuses(with(resources(object(1)) + build("")), {"no triangles"});
-  refuses(with(resources(object(1)).substr(0, 200)), {"3MF", "build section"});
+  refuses(with(resources(object(1)).substr(0, 200)), {"3MF", "line 1", "well-formed"});
   refuses(file("unit.3mf", package(resources(object(1)) + build(item), "unit=\"mile\"")), {"unit"});
   refuses(file("empty.3mf", zip_file({})), {"3MF"});
   refuses(file("text.3mf", "solid none\nendsolid\n"), {"no ZIP"});

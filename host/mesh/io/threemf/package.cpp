@@ -1,0 +1,80 @@
+#include "mesh/io/threemf/package.hpp"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "error.hpp"
+#include "mesh/io/text.hpp"
+
+namespace kreisel::core::threemf {
+namespace {
+
+/// More than any printer takes: a small archive can hold far more than memory does.
+constexpr std::uint64_t most_bytes = std::uint64_t{4} << 30;
+
+using Reader = std::unique_ptr<archive, decltype(&archive_read_free)>;
+
+[[noreturn]] void refuse(const MeshFile& file, std::string_view what) {
+  throw InputError(fmt::format("{}: {}, expected a whole ZIP archive, which 3MF is", file.name, what));
+}
+
+[[noreturn]] void refuse(const MeshFile& file, archive* reader) {
+  const char* why = archive_error_string(reader);
+  refuse(file, shown(why ? why : "ZIP archive cannot be read"));
+}
+
+bool is_wanted(const std::string& name) {
+  constexpr std::array<std::string_view, 3> wanted = {".model", ".rels", ".config"};
+  return std::ranges::any_of(wanted, [&](std::string_view end) { return name.ends_with(end); });
+}
+
+std::string content(const MeshFile& file, archive* reader, std::uint64_t& left) {
+  std::string text;
+  std::array<char, 1 << 16> block;
+  for (;;) {
+    const la_ssize_t got = archive_read_data(reader, block.data(), block.size());
+    if (got < 0) refuse(file, reader);
+    if (got == 0) return text;
+    if (std::uint64_t(got) > left)
+      throw InputError(
+          fmt::format("{}: 3MF package of more than {} bytes, expected fewer", file.name, most_bytes));
+    left -= std::uint64_t(got);
+    text.append(block.data(), std::size_t(got));
+  }
+}
+
+}  // namespace
+
+std::string part_name(std::string_view name) {
+  std::string part = lower_case(name);
+  std::ranges::replace(part, '\\', '/');
+  return part.substr(std::min(part.find_first_not_of('/'), part.size()));
+}
+
+Package unpack(const MeshFile& file) {
+  if (!file.bytes.starts_with("PK"))
+    throw InputError(fmt::format("{}: no ZIP archive, expected a 3MF package", file.name));
+  const Reader reader(archive_read_new(), &archive_read_free);
+  archive_read_support_format_zip_seekable(reader.get());  // by its directory: what was deleted is not in it
+  if (archive_read_open_memory(reader.get(), file.bytes.data(), file.bytes.size()) != ARCHIVE_OK)
+    refuse(file, "ZIP archive without its directory");
+  Package package;
+  std::uint64_t left = most_bytes;
+  archive_entry* entry = nullptr;
+  int status = ARCHIVE_OK;
+  while ((status = archive_read_next_header(reader.get(), &entry)) == ARCHIVE_OK) {
+    const char* name = archive_entry_pathname(entry);
+    const std::string part = part_name(name ? name : "");
+    if (is_wanted(part)) package[part] = content(file, reader.get(), left);
+  }
+  if (status != ARCHIVE_EOF) refuse(file, reader.get());
+  return package;
+}
+
+}  // namespace kreisel::core::threemf
