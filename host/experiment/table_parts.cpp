@@ -7,24 +7,14 @@
 #include <utility>
 
 #include "experiment/run_text.hpp"
+#include "statistics.hpp"
 
 namespace kreisel::core {
-namespace {
-
-double quantile(const std::vector<double>& sorted, double q) {
-  const double at = q * static_cast<double>(sorted.size() - 1);
-  const auto low = static_cast<std::size_t>(at);
-  const std::size_t high = std::min(low + 1, sorted.size() - 1);
-  return sorted[low] + (at - std::floor(at)) * (sorted[high] - sorted[low]);
-}
-
-}  // namespace
 
 double half_interquartile_range(const std::vector<Seconds>& samples) {
-  std::vector<double> sorted;
-  for (const Seconds& sample : samples) sorted.push_back(sample.solve);
-  std::sort(sorted.begin(), sorted.end());
-  return sorted.size() < 2 ? 0 : (quantile(sorted, 0.75) - quantile(sorted, 0.25)) / 2;
+  std::vector<double> seconds;
+  for (const Seconds& sample : samples) seconds.push_back(sample.solve);
+  return seconds.size() < 2 ? 0 : (quantile(seconds, 0.75) - quantile(seconds, 0.25)) / 2;
 }
 
 std::string seconds_text(const RecordSummary& record) {
