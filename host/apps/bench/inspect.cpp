@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -65,9 +64,9 @@ Solid look_at_solid(const Body& body) {
   // Moments are per solid mass and length^2; rotating back gives model axes.
   const Eigen::Matrix3d inertia =
       s.mass / body.solid[S1] * length * length * r.transpose() * inertia_about_centre(body.solid) * r;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
-  s.principal = solver.eigenvalues();
-  s.axes = solver.eigenvectors();
+  const PrincipalAxes principal(inertia);
+  s.principal = principal.moments;
+  s.axes = principal.axes;
   return s;
 }
 
