@@ -8,6 +8,7 @@
 #include "body/mesh_moments.hpp"
 #include "body/source.hpp"
 #include "error.hpp"
+#include "geometry/moved.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -15,9 +16,7 @@ namespace {
 /// A contact point far beside the body is a typing error: nothing there can be spun or stood on.
 void require_near_axis(const Body& body) {
   const Eigen::Matrix3d turn = axis_to_z(body.axis);
-  TriangleMesh turned = body.mesh;
-  for (Vec3& v : turned.vertices) v = turn * v;
-  const Box box = bounding_box(turned);
+  const Box box = bounding_box(moved(body.mesh, turn));
   const Vec3 at = turn * body.contact;
   for (int a = 0; a < 2; ++a)
     if (at[a] < box.lo[a] || at[a] > box.hi[a])

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "geometry/rotation.hpp"
 #include "problem/turned.hpp"
 #include "solve/distance_to_rows.hpp"
 #include "stopwatch.hpp"
@@ -105,17 +106,6 @@ MapSpec map_spec(const RunConfig& config) {
   spec.config.map = map;
   if (config.problem == "float" && spec.drafts.empty()) spec.drafts = {"20%", "40%", "60%", "80%"};
   return spec;
-}
-
-std::vector<Vec3> sphere_directions(int n) {
-  if (n < 1) throw InputError(fmt::format("{} axes; expected 1 or more", n));
-  const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
-  std::vector<Vec3> directions;
-  for (int i = 0; i < n; ++i) {
-    const double z = 1 - (2.0 * i + 1) / n, r = std::sqrt(1 - z * z);
-    directions.emplace_back(r * std::cos(golden_angle * i), r * std::sin(golden_angle * i), z);
-  }
-  return directions;
 }
 
 std::size_t OrientationMap::count(std::size_t at_case, MapAnswer::Status status) const {

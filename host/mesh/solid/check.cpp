@@ -62,7 +62,7 @@ void inspect_vertices(const TriangleMesh& mesh, const std::vector<Side>& sides, 
 /// Tetrahedra against the centre of the box, so that a solid far from the origin keeps its digits.
 void inspect_volume(const TriangleMesh& mesh, MeshReport& report) {
   const Box box = bounding_box(mesh);
-  const Vec3 centre = 0.5 * (box.lo + box.hi);
+  const Vec3 centre = box.centre();
   double sum = 0, absolute = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3 p = mesh.vertices[a] - centre, q = mesh.vertices[b] - centre, r = mesh.vertices[c] - centre;

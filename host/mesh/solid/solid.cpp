@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include "error.hpp"
+#include "geometry/triangle.hpp"
 #include "mesh/solid/check.hpp"
 
 namespace kreisel::core {
 namespace {
 
 std::string middle_text(const TriangleMesh& mesh, std::uint32_t triangle) {
-  const auto& [a, b, c] = mesh.triangles[triangle];
-  const Vec3 p = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3;
+  const Vec3 p = middle_of(mesh, mesh.triangles[triangle]);
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
 }
 

@@ -35,7 +35,7 @@ bool KeepOuts::touched(const Cut& cut) const {
   return std::ranges::any_of(surfaces_, [&](const std::vector<Vec3>& surface) {
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const Vec3& v : surface) {
-      const double beyond = cut.beyond(0, v);
+      const double beyond = cut.above(v);
       least = std::min(least, beyond);
       most = std::max(most, beyond);
     }
