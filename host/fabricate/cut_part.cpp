@@ -145,10 +145,8 @@ void add_pins(std::vector<MaterialPart>& pins, const Level& level, const std::ve
 }
 
 [[noreturn]] void refuse_plane_that_misses(const Plane& plane) {
-  throw InputError(
-      fmt::format("the plane {:.4g},{:.4g},{:.4g} . x = {:.4g} misses the part; expected one "
-                  "that cuts it",
-                  plane.normal[0], plane.normal[1], plane.normal[2], plane.offset));
+  throw InputError(fmt::format("the plane {:.4g} . x = {:.4g} misses the part; expected one that cuts it",
+                               fmt::join(plane.normal, ","), plane.offset));
 }
 
 void require_pegs_fit(const Pegs& pegs, std::size_t planes) {

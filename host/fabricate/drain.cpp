@@ -227,9 +227,9 @@ TriangleMesh drained(const TriangleMesh& outer, const TriangleMesh& cavity, cons
     const auto end = mouth ? cut_disc(mesh, bore, radius, 0.1 * radius, 1, drain.along) : std::nullopt;
     if (!mouth || !end)
       throw InputError(
-          fmt::format("a drain hole of {:.3g} mm radius at {:.4g},{:.4g},{:.4g} mm: expected both sides "
-                      "of the wall to be even there",
-                      radius, drain.from[0], drain.from[1], drain.from[2]));
+          fmt::format("a drain hole of {:.3g} mm radius at {:.4g} mm: expected both sides of the wall to be "
+                      "even there",
+                      radius, fmt::join(drain.from, ",")));
     add_wall(mesh, bore, *mouth, *end);
   }
   return mesh;

@@ -150,9 +150,8 @@ std::string OrientationMap::command(Place place) const {
   for (const auto& [key, value] : describe(run))
     line += key.find('.') != std::string::npos ? fmt::format(" --set {}", quoted(key + "=" + value))
                                                : fmt::format(" --{} {}", key, quoted(value));
-  const Vec3 &a = axes[place.axis], &p = contacts[place.axis];
-  return line + fmt::format(" --{}={:.9g},{:.9g},{:.9g} --contact={:.9g},{:.9g},{:.9g}",
-                            upright ? "up" : "axis", a[0], a[1], a[2], p[0], p[1], p[2]);
+  return line + fmt::format(" --{}={:.9g} --contact={:.9g}", upright ? "up" : "axis",
+                            fmt::join(axes[place.axis], ","), fmt::join(contacts[place.axis], ","));
 }
 
 OrientationMap map_orientations(Session& session, const MapSpec& spec, const Control& control) {
@@ -163,8 +162,8 @@ OrientationMap map_orientations(Session& session, const MapSpec& spec, const Con
   if (spec.axes.empty()) throw InputError("a map without axes; expected one or more");
   for (const Vec3& axis : spec.axes)
     if (!axis.allFinite() || axis.norm() == 0)
-      throw InputError(fmt::format("axis {},{},{} has no direction; expected a non-zero vector", axis[0],
-                                   axis[1], axis[2]));
+      throw InputError(
+          fmt::format("axis {} has no direction; expected a non-zero vector", fmt::join(axis, ",")));
 
   OrientationMap map;
   map.config = spec.config;

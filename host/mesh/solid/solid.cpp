@@ -10,8 +10,7 @@ namespace kreisel::core {
 namespace {
 
 std::string middle_text(const TriangleMesh& mesh, std::uint32_t triangle) {
-  const Vec3 p = middle_of(mesh, mesh.triangles[triangle]);
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
+  return fmt::format("({:.6g})", fmt::join(middle_of(mesh, mesh.triangles[triangle]), ", "));
 }
 
 /// repaired() turns triangles wherever that helps; what is left then has no two sides.

@@ -48,8 +48,8 @@ void require_mesh(const TriangleMesh& mesh, const char* name) {
     throw InputError(fmt::format("{} mesh has no triangles; expected one at least", name));
   for (const Vec3& v : mesh.vertices)
     if (!v.allFinite())
-      throw InputError(fmt::format("{} mesh has a vertex at {}, {}, {}; expected finite coordinates", name,
-                                   v[0], v[1], v[2]));
+      throw InputError(
+          fmt::format("{} mesh has a vertex at {}; expected finite coordinates", name, fmt::join(v, ", ")));
   for (const Triangle& t : mesh.triangles)
     for (const std::uint32_t i : t)
       if (i >= mesh.vertices.size())
@@ -77,8 +77,8 @@ void require_bulk(const Bulk& bulk, const Box& box, std::size_t triangles) {
 
 void require_unit(const Vec3& v, const char* name) {
   if (!v.allFinite() || std::abs(v.norm() - 1) > 1e-6)
-    throw InputError(fmt::format("{} {:.6g},{:.6g},{:.6g} has length {:.6g}; expected 1", name, v[0], v[1],
-                                 v[2], v.norm()));
+    throw InputError(
+        fmt::format("{} {:.6g} has length {:.6g}; expected 1", name, fmt::join(v, ","), v.norm()));
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ KeepOuts::KeepOuts(const Nesting& nesting, const std::vector<KeepOut>& balls) {
         for (const std::uint32_t v : triangle) surface.push_back(mesh.vertices[v]);
     if (surface.empty())
       throw InputError(fmt::format(
-          "keep-out at {},{},{} of radius {}: no vertex of the outer shape lies in it; expected one at least",
-          centre.x(), centre.y(), centre.z(), radius));
+          "keep-out at {} of radius {}: no vertex of the outer shape lies in it; expected one at least",
+          fmt::join(centre, ","), radius));
     surfaces_.push_back(std::move(surface));
   }
 }
