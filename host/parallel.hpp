@@ -43,4 +43,12 @@ void parallel_for(std::size_t count, Body&& body) {
   if (failure) std::rethrow_exception(failure);
 }
 
+/// The same for work that is too little for a piece of its own: `block` of them make one.
+template <class Body>
+void parallel_for(std::size_t count, std::size_t block, Body&& body) {
+  parallel_for((count + block - 1) / block, [&](std::size_t b) {
+    for (std::size_t i = b * block; i < std::min((b + 1) * block, count); ++i) body(i);
+  });
+}
+
 }  // namespace kreisel::core

@@ -15,17 +15,18 @@ namespace kreisel::core {
   return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-/// Half the distance from the first quartile to the third, quartiles interpolated linearly; 0 of one value.
-/// @pre  one value or more
-[[nodiscard]] inline double half_interquartile_range(std::vector<double> values) {
+/// The value that `share` of the others lie below; between two values in proportion. @pre  one value or more
+[[nodiscard]] inline double quantile(std::vector<double> values, double share) {
   std::ranges::sort(values);
-  const auto quartile = [&](double share) {
-    const double place = share * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return std::lerp(values[below], values[above], place - static_cast<double>(below));
-  };
-  return (quartile(0.75) - quartile(0.25)) / 2;
+  const double at = share * static_cast<double>(values.size() - 1);
+  const auto low = static_cast<std::size_t>(at);
+  const std::size_t high = std::min(low + 1, values.size() - 1);
+  return values[low] + (at - static_cast<double>(low)) * (values[high] - values[low]);
+}
+
+/// Half the distance from the first quartile to the third; 0 of one value. @pre  one value or more
+[[nodiscard]] inline double half_interquartile_range(const std::vector<double>& values) {
+  return (quantile(values, 0.75) - quantile(values, 0.25)) / 2;
 }
 
 }  // namespace kreisel::core

@@ -12,6 +12,8 @@ TEST(ParallelFor, CallsEveryPieceOnce) {
     std::vector<std::atomic<int>> calls(count);
     parallel_for(count, [&](std::size_t i) { ++calls[i]; });
     for (const auto& n : calls) EXPECT_EQ(n, 1);
+    parallel_for(count, 7, [&](std::size_t i) { ++calls[i]; });
+    for (const auto& n : calls) EXPECT_EQ(n, 2) << "in blocks";
   }
 }
 

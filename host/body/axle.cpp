@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <utility>
 
 #include "error.hpp"
+#include "geometry/moved.hpp"
+#include "mesh/io/encode.hpp"
 #include "mesh/make/cut_plane.hpp"
 #include "mesh/make/prism.hpp"
 #include "mesh/query/distance.hpp"
@@ -20,14 +20,7 @@ constexpr int sides = 48;  // of a circle as a polygon: its area is 0.3 % less
 
 TriangleMesh mirrored(TriangleMesh mesh) {
   for (Vec3& v : mesh.vertices) v[2] = -v[2];
-  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
-  return mesh;
-}
-
-void append(TriangleMesh& to, const TriangleMesh& mesh) {
-  const auto first = static_cast<std::uint32_t>(to.vertices.size());
-  to.vertices.insert(to.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-  for (const Triangle& t : mesh.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  return turned_over(std::move(mesh));
 }
 
 /// Every point of a hole is within the radius of a segment of the axis, so the hole stays inside when the
@@ -67,30 +60,21 @@ TriangleMesh halves(const TriangleMesh& solid, const Axle& axle) {
                     "which comes as near as "
                     "{:.3g} mm to its axis; expected a thinner or shorter one",
                     axle.radius, axle.depth, std::max(room, 0.0)));
-  const BlindHole hole{circle({0, 0}, axle.radius, sides), axle.depth};
-  TriangleMesh both = above_plane(solid, mouth, hole);
-  append(both, mirrored(above_plane(mirrored(solid), mouth, hole)));
-  return both;
+  const BlindHole hole{circle(Vec2::Zero(), axle.radius, sides), axle.depth};
+  return joined({above_plane(solid, mouth, hole), mirrored(above_plane(mirrored(solid), mouth, hole))},
+                "the halves");
 }
 
 TriangleMesh axle_mesh(const Axle& axle) {
   const double end = axle.slot / 2 + axle.depth;
-  return prism(circle({0, 0}, axle.radius, sides), -end, end);
+  return prism(circle(Vec2::Zero(), axle.radius, sides), -end, end);
 }
 
 TriangleMesh half_of(const TriangleMesh& mesh, bool upper) {
-  TriangleMesh half;
-  std::map<std::uint32_t, std::uint32_t> kept;
-  for (const Triangle& t : mesh.triangles) {
-    if ((mesh.vertices[t[0]][2] > 0) != upper) continue;
-    Triangle& out = half.triangles.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [entry, fresh] = kept.try_emplace(t[i], static_cast<std::uint32_t>(half.vertices.size()));
-      if (fresh) half.vertices.push_back(mesh.vertices[t[i]]);
-      out[i] = entry->second;
-    }
-  }
-  return half;
+  std::vector<std::uint32_t> half;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    if ((mesh.vertices[mesh.triangles[t][0]][2] > 0) == upper) half.push_back(t);
+  return part_of(mesh, half);
 }
 
 }  // namespace kreisel::core

@@ -8,6 +8,7 @@
 #include "body/mesh_moments.hpp"
 #include "body/source.hpp"
 #include "error.hpp"
+#include "geometry/moved.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -15,25 +16,20 @@ namespace {
 /// A contact point far beside the body is a typing error: nothing there can be spun or stood on.
 void require_near_axis(const Body& body) {
   const Eigen::Matrix3d turn = axis_to_z(body.axis);
-  TriangleMesh turned = body.mesh;
-  for (Vec3& v : turned.vertices) v = turn * v;
-  const Box box = bounding_box(turned);
-  const Vec3 at = turn * body.contact;
+  const Box box = bounding_box(moved(body.mesh, turn));
+  const Vec3 at = turn * body.contact, size = bounding_box(body.mesh).extent();
   for (int a = 0; a < 2; ++a)
     if (at[a] < box.lo[a] || at[a] > box.hi[a])
       throw InputError(
-          fmt::format("contact {},{},{} lies off the axis: a line along {},{},{} through it misses the body, "
-                      "{:.4g} x {:.4g} x "
-                      "{:.4g} mm; expected a point of the axis, model coordinates in mm",
-                      body.contact[0], body.contact[1], body.contact[2], body.axis[0], body.axis[1],
-                      body.axis[2], bounding_box(body.mesh).extent()[0], bounding_box(body.mesh).extent()[1],
-                      bounding_box(body.mesh).extent()[2]));
+          fmt::format("contact {} lies off the axis: a line along {} through it misses the body, {:.4g} mm; "
+                      "expected a point of the axis, model coordinates in mm",
+                      fmt::join(body.contact, ","), fmt::join(body.axis, ","), fmt::join(size, " x ")));
 }
 
 Vec3 direction(const Vec3& v, const char* option) {
   if (!v.allFinite() || v.norm() == 0)
     throw InputError(
-        fmt::format("{} {},{},{} has no direction; expected a non-zero vector", option, v[0], v[1], v[2]));
+        fmt::format("{} {} has no direction; expected a non-zero vector", option, fmt::join(v, ",")));
   return v.normalized();
 }
 

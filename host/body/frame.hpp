@@ -1,9 +1,7 @@
 // frame.hpp - the map between a model's own coordinates and the body frame every solver works in.
 #pragma once
 
-#include <Eigen/Core>
-
-#include "geometry/triangle_mesh.hpp"
+#include "geometry/rotation.hpp"
 
 namespace kreisel::core {
 
@@ -17,9 +15,6 @@ struct Frame {
   [[nodiscard]] Vec3 to_body(const Vec3& x) const { return rotation * (x - origin) / length; }
   [[nodiscard]] Vec3 to_model(const Vec3& X) const { return rotation.transpose() * X * length + origin; }
 };
-
-/// The rotation with the smallest angle that takes `axis` (any length but zero) to +z.
-[[nodiscard]] Eigen::Matrix3d axis_to_z(const Vec3& axis);
 
 /// Every vertex through to_body or to_model.
 [[nodiscard]] TriangleMesh to_body(const Frame& frame, TriangleMesh mesh);

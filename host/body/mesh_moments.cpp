@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <stdexcept>
 #include <vector>
 
 #include "device/buffer.hpp"
 #include "device/program.hpp"
+#include "geometry/triangle.hpp"
 #include "mesh_moments_params.h"
 
 namespace kreisel::core {
@@ -40,8 +40,7 @@ Moments mesh_moments(const TriangleMesh& mesh, device::Device& device) {
   if (mesh.vertices.size() > most_vertices)
     throw std::invalid_argument(
         fmt::format("mesh of {} vertices; the kernel takes at most {}", mesh.vertices.size(), most_vertices));
-  const Box box = bounding_box(mesh);
-  const Vec3 middle = (box.lo + box.hi) / 2;
+  const Vec3 middle = bounding_box(mesh).centre();
   const std::vector<double> vertices = quadruples(mesh, middle);
   const std::vector<std::uint32_t> corners = corners_apart(mesh);
   const device::RealBuffer vertex(device, vertices);
@@ -70,32 +69,32 @@ double mesh_moments_bound(const TriangleMesh& mesh, device::Device& device) {
 
 namespace reference {
 
+namespace {
+
+/// Of the tetrahedron between the origin and three corners. @param volume  det(a, b, c) / 6
+Moments terms(double volume, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 total = a + b + c;
+  const auto second = [&](int i, int j) {
+    return (total[i] * total[j] + a[i] * a[j] + b[i] * b[j] + c[i] * c[j]) / 20;
+  };
+  Moments term;
+  term << 1, total / 4, second(0, 1), second(1, 2), second(0, 2), second(0, 0), second(1, 1), second(2, 2);
+  return volume * term;
+}
+
+}  // namespace
+
 MomentSums mesh_moments(const TriangleMesh& mesh) {
   MomentSums sum;
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-    const double volume = a.dot(b.cross(c)) / 6;
-    const Vec3 total = a + b + c;
-    const auto second = [&](int i, int j) {
-      return (total[i] * total[j] + a[i] * a[j] + b[i] * b[j] + c[i] * c[j]) / 20;
-    };
-    Moments term;
-    term << 1, total / 4, second(0, 1), second(1, 2), second(0, 2), second(0, 0), second(1, 1), second(2, 2);
-    sum.value += volume * term;
-
+    const auto [a, b, c] = corners_of(mesh, t);
+    sum.value += terms(a.dot(b.cross(c)) / 6, a, b, c);
     // The determinant's own cancellation counts too, so its six products enter by absolute value.
-    const Vec3 ua = a.cwiseAbs(), ub = b.cwiseAbs(), uc = c.cwiseAbs(), ut = ua + ub + uc;
-    const double abs_volume =
-        (ua[0] * (ub[1] * uc[2] + ub[2] * uc[1]) + ua[1] * (ub[2] * uc[0] + ub[0] * uc[2]) +
-         ua[2] * (ub[0] * uc[1] + ub[1] * uc[0])) /
-        6;
-    const auto abs_second = [&](int i, int j) {
-      return (ut[i] * ut[j] + ua[i] * ua[j] + ub[i] * ub[j] + uc[i] * uc[j]) / 20;
-    };
-    Moments abs_term;
-    abs_term << 1, ut / 4, abs_second(0, 1), abs_second(1, 2), abs_second(0, 2), abs_second(0, 0),
-        abs_second(1, 1), abs_second(2, 2);
-    sum.abs_sum += abs_volume * abs_term;
+    const Vec3 ua = a.cwiseAbs(), ub = b.cwiseAbs(), uc = c.cwiseAbs();
+    const double volume = (ua[0] * (ub[1] * uc[2] + ub[2] * uc[1]) + ua[1] * (ub[2] * uc[0] + ub[0] * uc[2]) +
+                           ua[2] * (ub[0] * uc[1] + ub[1] * uc[0])) /
+                          6;
+    sum.abs_sum += terms(volume, ua, ub, uc);
   }
   return sum;
 }

@@ -1,8 +1,16 @@
 #include "body/models.hpp"
 
+#include <fmt/format.h>
+
 #include "body/models/shapes.hpp"
+#include "error.hpp"
 
 namespace kreisel::core {
+
+void require_fineness(int fineness, int finest) {
+  if (fineness < 1 || fineness > finest)
+    throw InputError(fmt::format("fineness {}, expected 1 to {}", fineness, finest));
+}
 
 const std::vector<Model>& models() {
   static const std::vector<Model> all = {

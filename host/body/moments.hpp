@@ -26,11 +26,24 @@ inline constexpr std::array<std::string_view, 10> moment_names = {"s1",  "sx",  
 /// Centre of mass. s1 must not be zero.
 [[nodiscard]] Eigen::Vector3d centre_of_mass(const Moments& s);
 
+/// The second moments as a symmetric matrix, integral of x x^T.
+[[nodiscard]] Eigen::Matrix3d second_moments(const Moments& s);
+
 /// Inertia tensor about the origin of the moments' frame. [SpinIt, eq. 4]
 [[nodiscard]] Eigen::Matrix3d inertia(const Moments& s);
 
 /// Inertia tensor about the centre of mass (parallel axis theorem).
 [[nodiscard]] Eigen::Matrix3d inertia_about_centre(const Moments& s);
+
+/// Principal axes of an inertia tensor.
+struct PrincipalAxes {
+  Eigen::Vector3d moments;  ///< ascending
+  Eigen::Matrix3d axes;     ///< columns of unit length, in the order of the moments
+
+  explicit PrincipalAxes(const Eigen::Matrix3d& inertia);
+  [[nodiscard]] int nearest_to_z() const;     ///< which of the three
+  [[nodiscard]] double tilt_degrees() const;  ///< of that one from z
+};
 
 /// Moments of the same solid after x -> R x + t (R any 3x3 matrix of determinant +-1).
 [[nodiscard]] Moments transformed(const Moments& s, const Eigen::Matrix3d& R, const Eigen::Vector3d& t);

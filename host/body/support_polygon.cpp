@@ -10,11 +10,9 @@
 namespace kreisel::core {
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
-
 /// One chain of the hull, points sorted; keeps left turns only. [Andrew 1979, monotone chain]
-std::vector<Vec2> chain(const std::vector<Vec2>& sorted) {
-  std::vector<Vec2> out;
+Polygon chain(const std::vector<Vec2>& sorted) {
+  Polygon out;
   for (const Vec2& p : sorted) {
     while (out.size() >= 2 && cross(out.back() - out[out.size() - 2], p - out.back()) <= 0) out.pop_back();
     out.push_back(p);
@@ -24,7 +22,7 @@ std::vector<Vec2> chain(const std::vector<Vec2>& sorted) {
 
 /// Drops the corners of a convex polygon that span next to nothing with their neighbours. Not part of
 /// chain(): there the next point may lie behind, and a true corner with it.
-void drop_flat(std::vector<Vec2>& corners, double negligible) {
+void drop_flat(Polygon& corners, double negligible) {
   for (std::size_t i = 0; corners.size() >= 3 && i < corners.size();) {
     const Vec2& before = corners[(i + corners.size() - 1) % corners.size()];
     const Vec2& after = corners[(i + 1) % corners.size()];
@@ -36,8 +34,8 @@ void drop_flat(std::vector<Vec2>& corners, double negligible) {
 }
 
 /// What of a convex ring of corners lies on the inner side of a line. [Sutherland, Hodgman 1974]
-std::vector<Vec2> clipped(const std::vector<Vec2>& corners, const SupportPolygon::Edge& line) {
-  std::vector<Vec2> kept;
+Polygon clipped(const Polygon& corners, const SupportPolygon::Edge& line) {
+  Polygon kept;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
     const double at_a = line.d - line.n.dot(a), at_b = line.d - line.n.dot(b);
@@ -56,19 +54,12 @@ double SupportPolygon::inside(const Vec2& p) const {
 }
 
 Vec2 SupportPolygon::nearest(const Vec2& p) const {
-  if (inside(p) >= 0) return p;
-  Vec2 best = corners.front();
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec2 &a = corners[i], along = corners[(i + 1) % corners.size()] - a;
-    const Vec2 q = a + std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
-    if ((q - p).squaredNorm() < (best - p).squaredNorm()) best = q;
-  }
-  return best;
+  return inside(p) >= 0 ? p : nearest_on_border(corners, p);
 }
 
 SupportPolygon shrunk(const SupportPolygon& polygon, double margin) {
   if (margin == 0) return polygon;
-  std::vector<Vec2> corners = polygon.corners;
+  Polygon corners = polygon.corners;
   for (const SupportPolygon::Edge& e : polygon.edges) corners = clipped(corners, {e.n, e.d - margin});
   return hull_of(std::move(corners));
 }
@@ -79,25 +70,22 @@ SupportPolygon hull_of(std::vector<Vec2> points) {
   std::ranges::sort(
       points, [](const Vec2& a, const Vec2& b) { return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]); });
   const double size = (points.back() - points.front()).norm();
-  std::vector<Vec2> corners = chain(points);
+  Polygon corners = chain(points);
   std::ranges::reverse(points);
-  const std::vector<Vec2> upper = chain(points);
+  const Polygon upper = chain(points);
   corners.pop_back();
   corners.insert(corners.end(), upper.begin(), upper.end() - 1);
   // Corners that stick out by round-off of a flat base's coordinates are none.
   drop_flat(corners, 1e-12 * size * size);
   if (corners.size() < 3) return polygon;
 
-  const Vec2 first = corners.front();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
-    const double twice = cross(a - first, b - first);
-    polygon.area += twice / 2;
-    polygon.centroid += twice / 6 * (a - first + b - first);
     const Vec2 along = (b - a).normalized(), n(along[1], -along[0]);
     polygon.edges.push_back({n, n.dot(a)});
   }
-  polygon.centroid = first + polygon.centroid / polygon.area;
+  polygon.area = area(corners);
+  polygon.centroid = centroid(corners);
   polygon.corners = std::move(corners);
   return polygon;
 }

@@ -4,10 +4,9 @@
 #include <vector>
 
 #include "body/body.hpp"
+#include "geometry/polygon.hpp"
 
 namespace kreisel::core {
-
-using Vec2 = Eigen::Vector2d;
 
 /// Convex hull, counter-clockwise seen from above, of the vertices near the ground. Body frame and units.
 struct SupportPolygon {
@@ -17,8 +16,8 @@ struct SupportPolygon {
     double d;
   };
 
-  std::vector<Vec2> corners;  ///< at least three, no three on a line
-  std::vector<Edge> edges;    ///< edge i runs from corner i to corner i + 1
+  Polygon corners;          ///< at least three, no three on a line
+  std::vector<Edge> edges;  ///< edge i runs from corner i to corner i + 1
   double area = 0;
   Vec2 centroid = Vec2::Zero();  ///< of the area
 

@@ -19,14 +19,14 @@ namespace kreisel::core {
 namespace {
 
 /// @throws InputError  no plane
-Cut parse_plane(const std::string& text) {
+Plane parse_plane(const std::string& text) {
   const std::size_t last = text.rfind(',');
   const auto normal = last == std::string::npos ? std::nullopt : parse_vector(text.substr(0, last));
   const auto offset = last == std::string::npos ? std::nullopt : parse<double>(text.substr(last + 1));
   if (!normal || !offset || !(normal->norm() > 0))
     throw InputError(
         fmt::format("--cut {}; expected auto, or a plane NX,NY,NZ,D where N . x = D in mm", text));
-  return {*normal, *offset, 0};
+  return {*normal, *offset};
 }
 
 /// @throws InputError  nothing is to be cast
@@ -64,7 +64,7 @@ class Finishing {
   }
 
   [[nodiscard]] bool wanted() const { return automatic_ || !planes_.empty() || drain_ > 0; }
-  [[nodiscard]] const std::vector<Cut>& planes() const { return planes_; }
+  [[nodiscard]] const std::vector<Plane>& planes() const { return planes_; }
   [[nodiscard]] const std::vector<Drain>& drains() const { return drains_; }
 
   std::vector<MaterialPart> operator()(const Body& body, const std::vector<MaterialPart>& parts) {
@@ -72,7 +72,8 @@ class Finishing {
       throw InputError("--drain of a part of several materials; expected one of a single material");
     MaterialPart part = parts.front();
     if (part.surfaces.size() < 2) return parts;  // nothing to open
-    if (automatic_ && planes_.empty()) planes_ = find_voids(part.surfaces, cut_directions(body)).cuts;
+    if (automatic_ && planes_.empty())
+      std::ranges::copy(find_voids(part.surfaces, cut_directions(body)).cuts, std::back_inserter(planes_));
     if (drain_ > 0) {
       if (drains_.empty())
         drains_ = drains_of(part.surfaces[0], part.surfaces[1], drain_, body.frame.rotation.row(2));
@@ -89,7 +90,7 @@ class Finishing {
   bool automatic_, lay_flat_;
   double drain_;
   Pegs pegs_;
-  std::vector<Cut> planes_;
+  std::vector<Plane> planes_;
   std::vector<Drain> drains_;
 };
 

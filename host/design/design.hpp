@@ -42,7 +42,7 @@ struct Design {
   double wall = 0;            ///< least of the part, mm; infinite without a cavity
   ThinPlace thinnest{0};      ///< of its material, walls and webs between voids
   double printer_accuracy;    ///< as asked, mm
-  std::vector<Cut> cuts;      ///< by which it was cut
+  std::vector<Plane> cuts;    ///< by which it was cut
   std::vector<Drain> drains;  ///< holes into voids
   std::vector<WrittenMould> moulds;
   std::string other_axes;  ///< where it cannot spin about the axis that was asked for: about which it can

@@ -1,6 +1,5 @@
 #include "design/figures.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,9 +13,9 @@ Figures figures_of(const Moments& body, double volume, const RunResult& run, con
   f.volume = volume;
   f.centre_of_mass = kreisel::core::centre_of_mass(s);
   f.inertia = inertia_about_centre(s);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(f.inertia);
-  f.principal = solver.eigenvalues();
-  f.axes = solver.eigenvectors();
+  const PrincipalAxes principal(f.inertia);
+  f.principal = principal.moments;
+  f.axes = principal.axes;
   if (f.axes.determinant() < 0) f.axes.col(0) *= -1;
   f.verdict = problem.verify(body, run.length_mm);
   return f;

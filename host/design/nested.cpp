@@ -15,7 +15,7 @@
 #include "fabricate/lay_flat.hpp"
 #include "fabricate/swept_void.hpp"
 #include "fabricate/wall.hpp"
-#include "mesh/make/moved.hpp"
+#include "geometry/moved.hpp"
 #include "mesh/solid/check.hpp"
 #include "mesh/solid/components.hpp"
 #include "nest/search/layers.hpp"
@@ -77,11 +77,6 @@ nest::Layers search(const NestedSpec& spec, const Shapes& shapes, device::Device
       });
   if (found.interrupted) throw Interrupted();
   return found;
-}
-
-WayOff way_off(const nest::Cut& cut, int half) {
-  const double side = half == 0 ? 1 : -1;
-  return {side * cut.normal, side * cut.offset, cut.removal(half)};
 }
 
 class Builder {
@@ -150,11 +145,11 @@ class Builder {
     const double below = 1e-2 * bounding_box(outer).extent().norm();  // more than the cut may be moved
     TriangleMesh voids[2];
     for (int half = 0; half < 2; ++half)
-      voids[half] =
-          swept_void(inner, way_off(layer.cut, half), spec.config.tolerances.accuracy, pixel, below);
+      voids[half] = swept_void(inner, {layer.cut.into(half), layer.cut.removal(half)},
+                               spec.config.tolerances.accuracy, pixel, below);
     nested_.layers.push_back({layer});
-    return cut_in_halves(outer, {std::move(voids[0]), std::move(voids[1])},
-                         {layer.cut.normal, layer.cut.offset, 0}, spec.density, {spec.peg_radius});
+    return cut_in_halves(outer, {std::move(voids[0]), std::move(voids[1])}, layer.cut, spec.density,
+                         {spec.peg_radius});
   }
 
   void measure(std::size_t k) {

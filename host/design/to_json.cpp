@@ -88,7 +88,7 @@ std::string to_json(const Design& design) {
   summary["islands"] = r.voids.islands;
   summary["cuts"] = cuts;
   summary["cut_by"] = json::array();
-  for (const Cut& cut : design.cuts)
+  for (const Plane& cut : design.cuts)
     summary["cut_by"].push_back({{"normal", list(cut.normal)}, {"offset", cut.offset}});
   summary["triangles"] = r.verified.triangles;
   summary["cavity_triangles"] = r.verified.void_triangles;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "error.hpp"
+#include "geometry/triangle.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -62,7 +63,7 @@ std::pair<int, int> centres_between(const Grid& grid, int axis, double lo, doubl
 std::vector<std::vector<Crossing>> column_crossings(const TriangleMesh& mesh, const Grid& grid) {
   std::vector<std::vector<Crossing>> columns(static_cast<std::size_t>(grid.n[0]) * grid.n[1]);
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+    const auto [a, b, c] = corners_of(mesh, t);
     const auto [x0, x1] =
         centres_between(grid, 0, std::min({a[0], b[0], c[0]}), std::max({a[0], b[0], c[0]}));
     const auto [y0, y1] =

@@ -36,7 +36,7 @@ Grid make_grid(const Box& box, const GridSpec& spec) {
     for (int a = 0; a < 3; ++a)
       grid.n[a] = std::max(1, static_cast<int>(std::ceil(extent[a] / grid.h - 1e-9)));
   }
-  const Vec3 middle = (box.lo + box.hi) / 2;
+  const Vec3 middle = box.centre();
   for (int a = 0; a < 3; ++a) grid.origin[a] = middle[a] - grid.h * grid.n[a] / 2;
   return grid;
 }

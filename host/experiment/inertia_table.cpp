@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
@@ -28,20 +25,6 @@ Matrix3d matrix_of(const std::array<double, 6>& i) {
   return m;
 }
 
-struct Principal {
-  Eigen::Vector3d moments;  ///< ascending
-  double tilt_degrees;      ///< between z and the principal axis nearest to it
-  bool z_largest;           ///< that axis has the largest moment
-};
-
-Principal principal_of(const Matrix3d& inertia) {
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(inertia);
-  int axis = 0;
-  solver.eigenvectors().row(2).cwiseAbs().maxCoeff(&axis);
-  const double sine = std::min(1.0, solver.eigenvectors().col(axis).head<2>().norm());
-  return {solver.eigenvalues(), std::asin(sine) * 180 / std::numbers::pi, axis == 2};
-}
-
 Sheet empty_sheet() {
   std::vector<Sheet::Column> columns = {{"run", "", ""}, {"body", "", "body", true}};
   for (const char* name : names) columns.push_back({fmt::format("{}_g_cm2", name), "g cm^2", name});
@@ -56,13 +39,13 @@ Sheet empty_sheet() {
 
 void add_row(Sheet& sheet, const std::string& run, const std::string& body, const Matrix3d& inertia,
              double izz_before) {
-  const Principal principal = principal_of(inertia);
+  const PrincipalAxes principal(inertia);
   std::vector<Cell> row = {run, body};
   for (const double value : six_of(inertia)) row.push_back(Cell::of(value, "{:.2f}"));
   for (const double value : six_of(inertia)) row.push_back(Cell::of(value / izz_before, "{:.4f}"));
   for (const double value : principal.moments) row.push_back(Cell::of(value, "{:.2f}"));
-  row.push_back(Cell::of(principal.tilt_degrees, "{:.3f}"));
-  row.emplace_back(principal.z_largest ? "yes" : "no");
+  row.push_back(Cell::of(principal.tilt_degrees(), "{:.3f}"));
+  row.emplace_back(principal.nearest_to_z() == 2 ? "yes" : "no");
   sheet.add(std::move(row));
 }
 

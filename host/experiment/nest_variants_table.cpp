@@ -6,6 +6,7 @@
 
 #include "experiment/nest_table.hpp"
 #include "experiment/nest_table_parts.hpp"
+#include "statistics.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -16,15 +17,6 @@ struct Seeds {
   std::vector<double> scales, sampled, seconds,
       evaluations;  ///< of those that ended with a nesting or without one
 };
-
-/// @pre  not empty
-double quantile(std::vector<double> values, double share) {
-  std::ranges::sort(values);
-  const double at = share * static_cast<double>(values.size() - 1);
-  const auto low = static_cast<std::size_t>(at);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  return values[low] + (at - static_cast<double>(low)) * (values[high] - values[low]);
-}
 
 Sheet empty_sheet(bool paper) {
   std::vector<Sheet::Column> columns({{"shapes", "", ""},

@@ -14,7 +14,7 @@ namespace kreisel::core {
 double half_interquartile_range(const std::vector<Seconds>& samples) {
   std::vector<double> solves;
   for (const Seconds& sample : samples) solves.push_back(sample.solve);
-  return solves.empty() ? 0 : half_interquartile_range(std::move(solves));
+  return solves.empty() ? 0 : half_interquartile_range(solves);
 }
 
 std::string seconds_text(const RecordSummary& record) {

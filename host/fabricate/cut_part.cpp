@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "error.hpp"
+#include "geometry/distance.hpp"
+#include "geometry/moved.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/single_precision.hpp"
 #include "mesh/io/encode.hpp"
@@ -30,11 +32,6 @@ double clear_of_corners(const TriangleMesh& mesh, double wanted, double reach) {
   return (heights[widest] + heights[widest - 1]) / 2;
 }
 
-TriangleMesh turned(TriangleMesh mesh, const Eigen::Matrix3d& rotation) {
-  for (Vec3& v : mesh.vertices) v = rotation * v;
-  return mesh;
-}
-
 /// A part turned so that the plane is horizontal.
 struct Level {
   Eigen::Matrix3d rotation;
@@ -45,8 +42,8 @@ struct Level {
   double clearance;
 
   /// @param solid  in single precision
-  Level(const TriangleMesh& solid, const Cut& plane)
-      : rotation(axis_to_z(plane.normal)), mesh(turned(solid, rotation)) {
+  Level(const TriangleMesh& solid, const Plane& plane)
+      : rotation(axis_to_z(plane.normal)), mesh(moved(solid, rotation)) {
     const double size = bounding_box(mesh).extent().maxCoeff();
     height = clear_of_corners(mesh, plane.offset / plane.normal.norm(), 1e-3 * size);
     clearance = 4e-6 * size;
@@ -70,18 +67,17 @@ struct Level {
 double depth_of(const SurfaceDistance& distance, const TriangleMesh& mesh, const Vec3& p, double limit) {
   const auto nearest = distance.nearest(p, limit);
   if (!nearest) return limit;
-  const Triangle& t = mesh.triangles[*nearest];
-  const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+  const auto [a, b, c] = corners_of(mesh, mesh.triangles[*nearest]);
   const double from = distance_to_triangle(p, a, b, c);
-  return (b - a).cross(c - a).dot(p - a) < 0 ? from : -from;
+  return normal_of(a, b, c).dot(p - a) < 0 ? from : -from;
 }
 
 /// Two places for pegs, or one where there is no room for two.
-std::vector<Point2> places(const Level& level, const Pegs& pegs) {
+std::vector<Vec2> places(const Level& level, const Pegs& pegs) {
   const SurfaceDistance distance(level.mesh);
   const Box box = bounding_box(level.mesh);
   const double needed = 1.5 * pegs.radius, limit = box.extent().norm();
-  std::vector<Point2> free;
+  std::vector<Vec2> free;
   const auto has_room = [&](double x, double y) {
     constexpr int samples = 4;  // half a radius apart, as much as there is to spare
     for (int i = -samples; i <= samples; ++i)
@@ -92,30 +88,30 @@ std::vector<Point2> places(const Level& level, const Pegs& pegs) {
   const double step = std::max(pegs.radius / 2, box.extent().maxCoeff() / 100);
   for (double y = box.lo[1]; y < box.hi[1]; y += step)
     for (double x = box.lo[0]; x < box.hi[0]; x += step)
-      if (has_room(x, y)) free.push_back({x, y});
+      if (has_room(x, y)) free.emplace_back(x, y);
   if (free.empty())
     throw InputError(
         fmt::format("no room for a peg of {:.3g} mm radius in the cut; expected a smaller one, or "
                     "another plane",
                     pegs.radius));
-  const auto apart = [](const Point2& a, const Point2& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); };
+  const auto apart = [](const Vec2& a, const Vec2& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); };
   // From anywhere to the farthest, and from there: as far apart as it gets, or nearly.
-  const auto farthest = [&](const Point2& from) {
-    return *std::ranges::max_element(free, {}, [&](const Point2& p) { return apart(p, from); });
+  const auto farthest = [&](const Vec2& from) {
+    return *std::ranges::max_element(free, {}, [&](const Vec2& p) { return apart(p, from); });
   };
-  const Point2 one = farthest(free.front()), other = farthest(one);
+  const Vec2 one = farthest(free.front()), other = farthest(one);
   return apart(one, other) > 4 * pegs.radius ? std::vector{one, other} : std::vector{one};
 }
 
 /// What of a solid lies above or below the plane, in single precision; empty where there is nothing.
 TriangleMesh half_of(const TriangleMesh& solid, bool above, const Level& level,
-                     const std::vector<Point2>& pegs_at, const Pegs& pegs) {
+                     const std::vector<Vec2>& pegs_at, const Pegs& pegs) {
   const Eigen::Matrix3d over = above ? Vec3(1, 1, 1).asDiagonal() : Vec3(1, -1, -1).asDiagonal();
   const Eigen::Matrix3d turn = over * level.rotation;
   std::vector<BlindHole> holes;
-  for (const Point2& at : pegs_at)
+  for (const Vec2& at : pegs_at)
     holes.push_back({circle({at[0], above ? at[1] : -at[1]}, pegs.radius, Pegs::sides), pegs.depth()});
-  TriangleMesh flat = turned(solid, level.rotation);
+  TriangleMesh flat = moved(solid, level.rotation);
   level.keep_clear(flat);
   // The cap by the coordinates that change most along it.
   int axis = 0;
@@ -123,37 +119,34 @@ TriangleMesh half_of(const TriangleMesh& solid, bool above, const Level& level,
   upwards.cwiseAbs().maxCoeff(&axis);
   const auto as_written = [&](const Vec3& v) { return in_single_precision(turn.transpose() * v); };
   const WrittenAs written{[&](const Vec3& v) -> Vec3 { return turn * as_written(v); },
-                          [&](const Vec3& v) -> Point2 {
-                            const Point2 p = drop(as_written(v), axis);
-                            return upwards[axis] < 0 ? p : Point2{p[1], p[0]};
+                          [&](const Vec3& v) -> Vec2 {
+                            const Vec2 p = drop(as_written(v), axis);
+                            return upwards[axis] < 0 ? p : Vec2(p[1], p[0]);
                           }};
   TriangleMesh mesh =
-      above_plane(turned(std::move(flat), over), above ? level.height : -level.height, holes, written);
-  mesh = turned(std::move(mesh), turn.transpose());
-  for (Vec3& v : mesh.vertices) v = in_single_precision(v);  // there and back is round-off off
+      above_plane(moved(std::move(flat), over), above ? level.height : -level.height, holes, written);
+  mesh = in_single_precision(moved(std::move(mesh), turn.transpose()));  // there and back is round-off off
   RepairReport ignored;
   return mesh.triangles.empty() ? mesh : repaired(std::move(mesh), ignored);
 }
 
 /// A pin where it belongs, model coordinates.
-TriangleMesh pin(const Level& level, const Point2& at, const Pegs& pegs) {
+TriangleMesh pin(const Level& level, const Vec2& at, const Pegs& pegs) {
   const double radius = pegs.radius - Pegs::clearance, end = pegs.depth() - Pegs::clearance;
-  return turned(prism(circle(at, radius, Pegs::sides), level.height - end, level.height + end),
-                level.rotation.transpose());
+  return moved(prism(circle(at, radius, Pegs::sides), level.height - end, level.height + end),
+               level.rotation.transpose());
 }
 
-void add_pins(std::vector<MaterialPart>& pins, const Level& level, const std::vector<Point2>& at,
+void add_pins(std::vector<MaterialPart>& pins, const Level& level, const std::vector<Vec2>& at,
               const Pegs& pegs, double density) {
-  for (const Point2& p : at)
+  for (const Vec2& p : at)
     pins.push_back(
         {fmt::format("peg-{}", pins.size() + 1), density, {pin(level, p, pegs)}, level.down(true)});
 }
 
-[[noreturn]] void refuse_plane_that_misses(const Cut& plane) {
-  throw InputError(
-      fmt::format("the plane {:.4g},{:.4g},{:.4g} . x = {:.4g} misses the part; expected one "
-                  "that cuts it",
-                  plane.normal[0], plane.normal[1], plane.normal[2], plane.offset));
+[[noreturn]] void refuse_plane_that_misses(const Plane& plane) {
+  throw InputError(fmt::format("the plane {:.4g} . x = {:.4g} misses the part; expected one that cuts it",
+                               fmt::join(plane.normal, ","), plane.offset));
 }
 
 void require_pegs_fit(const Pegs& pegs, std::size_t planes) {
@@ -165,17 +158,18 @@ void require_pegs_fit(const Pegs& pegs, std::size_t planes) {
 
 }  // namespace
 
-std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Cut> planes, const Pegs& pegs) {
+std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Plane> planes,
+                                   const Pegs& pegs) {
   require_pegs_fit(pegs, planes.size());
   std::vector<MaterialPart> pieces = {
       {part.name, part.density, {in_single_precision(joined(part.surfaces, part.name))}}};
   std::vector<MaterialPart> pins;
-  for (const Cut& plane : planes) {
+  for (const Plane& plane : planes) {
     std::vector<MaterialPart> next;
     for (const MaterialPart& piece : pieces) {
       const TriangleMesh& solid = piece.surfaces.front();
       const Level level(solid, plane);
-      const std::vector<Point2> at = pegs.radius > 0 ? places(level, pegs) : std::vector<Point2>{};
+      const std::vector<Vec2> at = pegs.radius > 0 ? places(level, pegs) : std::vector<Vec2>{};
       const std::size_t before = next.size();
       for (const bool above : {true, false})
         if (TriangleMesh half = half_of(solid, above, level, at, pegs); !half.triangles.empty())
@@ -192,12 +186,12 @@ std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Cut
   return pieces;
 }
 
-std::vector<MaterialPart> cut_in_halves(const TriangleMesh& solid, const HalfVoids& voids, const Cut& plane,
+std::vector<MaterialPart> cut_in_halves(const TriangleMesh& solid, const HalfVoids& voids, const Plane& plane,
                                         double density, const Pegs& pegs) {
   require_pegs_fit(pegs, 1);
   // The plane, and room for pegs, by both voids.
   const Level level(in_single_precision(joined({solid, voids.upper, voids.lower}, "solid")), plane);
-  const std::vector<Point2> at = pegs.radius > 0 ? places(level, pegs) : std::vector<Point2>{};
+  const std::vector<Vec2> at = pegs.radius > 0 ? places(level, pegs) : std::vector<Vec2>{};
   std::vector<MaterialPart> parts;
   for (const bool above : {true, false}) {
     const char* name = above ? "upper" : "lower";

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fabricate/parts.hpp"
-#include "fabricate/voids.hpp"
+#include "geometry/plane.hpp"
 
 namespace kreisel::core {
 
@@ -27,7 +27,7 @@ struct Pegs {
 /// coordinates are in single precision, so that no file format makes a cap's slivers fold.
 ///
 /// @throws InputError  a plane that misses the part; pegs and several planes, or no room for a peg
-[[nodiscard]] std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Cut> planes,
+[[nodiscard]] std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Plane> planes,
                                                  const Pegs& pegs = {});
 
 /// What each half of a solid has to leave free: closed surfaces that go on beyond the plane, normals into the
@@ -42,7 +42,7 @@ struct HalfVoids {
 /// @param solid  model coordinates, mm; free of voids, as long as those keep within it on their side
 /// @throws InputError  a plane that misses the solid, no room for a peg
 [[nodiscard]] std::vector<MaterialPart> cut_in_halves(const TriangleMesh& solid, const HalfVoids& voids,
-                                                      const Cut& plane, double density,
+                                                      const Plane& plane, double density,
                                                       const Pegs& pegs = {});
 
 }  // namespace kreisel::core

@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "error.hpp"
+#include "geometry/distance.hpp"
+#include "geometry/fill_polygon.hpp"
 #include "mesh/io/encode.hpp"
 #include "mesh/make/refine.hpp"
 #include "mesh/query/distance.hpp"
@@ -22,26 +24,6 @@ namespace {
 
 /// How far a surface may lean against a hole's cross-section: normals within 60 degrees of its axis.
 constexpr double even = 0.5;
-
-Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  // Onto the plane, else onto the nearest edge.
-  const Vec3 n = (b - a).cross(c - a);
-  const Vec3 q = p - n.dot(p - a) / n.squaredNorm() * n;
-  const Vec3 corner[] = {a, b, c};
-  bool inside = true;
-  Vec3 best = a;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 &from = corner[i], &to = corner[(i + 1) % 3], along = to - from;
-    inside &= n.dot(along.cross(q - from)) >= 0;
-    const Vec3 at = from + std::clamp(along.dot(p - from) / along.squaredNorm(), 0.0, 1.0) * along;
-    if ((p - at).squaredNorm() < least) {
-      least = (p - at).squaredNorm();
-      best = at;
-    }
-  }
-  return inside ? q : best;
-}
 
 /// Coordinates along a hole: z into the material.
 class Bore {
@@ -60,90 +42,88 @@ class Bore {
   Eigen::Matrix3d rotation_;
 };
 
-Vec3 normal_of(const TriangleMesh& mesh, const Triangle& t) {
-  const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-  return (b - a).cross(c - a).normalized();
-}
-
 /// Does the bore's axis go through the triangle?
 bool on_axis(const Bore& bore, const TriangleMesh& mesh, const Triangle& t) {
   std::array<Vec3, 3> p;
   for (std::size_t i = 0; i < 3; ++i) p[i] = bore(mesh.vertices[t[i]]);
   int sides = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 &a = p[i], &b = p[(i + 1) % 3];
-    sides += a[0] * b[1] - a[1] * b[0] > 0 ? 1 : -1;
-  }
+  for (std::size_t i = 0; i < 3; ++i) sides += cross(p[i].head<2>(), p[(i + 1) % 3].head<2>()) > 0 ? 1 : -1;
   return std::abs(sides) == 3;
+}
+
+/// Of the triangles on the bore's axis at or behind `depth` the first, and how far along the bore it lies.
+std::optional<std::pair<std::size_t, double>> first_on_axis(const TriangleMesh& mesh, const Bore& bore,
+                                                            double depth) {
+  std::optional<std::pair<std::size_t, double>> first;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    if (!on_axis(bore, mesh, t)) continue;
+    const double z = bore(middle_of(mesh, t))[2];
+    if (z >= depth && (!first || z < first->second)) first = {i, z};
+  }
+  return first;
+}
+
+/// Whether a loop goes once around the bore, always the same way.
+bool goes_around(const TriangleMesh& mesh, const Bore& bore, const Loop& loop) {
+  double turned = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    double step = bore.angle(mesh.vertices[loop[(i + 1) % loop.size()]]) - bore.angle(mesh.vertices[loop[i]]);
+    step -= 2 * std::numbers::pi * std::round(step / (2 * std::numbers::pi));
+    if (turned * step < 0) return false;
+    turned += step;
+  }
+  return true;
 }
 
 /// Cuts a disc out of a surface where the bore goes through it first at or behind `depth`.
 /// @param towards  1 for a surface that faces along the bore, -1 for one that faces against it
 /// @return  the rim, as the edges of what is left run along it; nothing where there is no even disc
-std::optional<std::vector<std::uint32_t>> cut_disc(TriangleMesh& mesh, const Bore& bore, double radius,
-                                                   double depth, int towards, const Vec3& along) {
-  std::optional<std::size_t> seed;
-  double first = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const Triangle& t = mesh.triangles[i];
-    if (!on_axis(bore, mesh, t)) continue;
-    const double z = bore((mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3)[2];
-    if (z >= depth && z < first) first = z, seed = i;
-  }
+std::optional<Loop> cut_disc(TriangleMesh& mesh, const Bore& bore, double radius, double depth, int towards,
+                             const Vec3& along) {
+  const auto seed = first_on_axis(mesh, bore, depth);
   if (!seed) return std::nullopt;
 
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> owner;  // of a directed edge near the hole
-  const auto near = [&](const Triangle& t) {
-    return std::ranges::all_of(t, [&](std::uint32_t v) {
-      return bore.off_axis(mesh.vertices[v]) < 2 * radius &&
-             std::abs(bore(mesh.vertices[v])[2] - first) < 4 * radius;
-    });
+  const auto near = [&](std::uint32_t v) {
+    return bore.off_axis(mesh.vertices[v]) < 2 * radius &&
+           std::abs(bore(mesh.vertices[v])[2] - seed->second) < 4 * radius;
   };
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    if (const Triangle& t = mesh.triangles[i]; near(t))
+    if (const Triangle& t = mesh.triangles[i]; std::ranges::all_of(t, near))
       for (std::size_t k = 0; k < 3; ++k) owner[{t[k], t[(k + 1) % 3]}] = i;
 
   std::vector<bool> cut(mesh.triangles.size());
-  std::vector<std::size_t> front = {*seed};
-  cut[*seed] = true;
-  std::map<std::uint32_t, std::uint32_t> rim;  // from what is cut: the next vertex along it
+  std::vector<std::size_t> front = {seed->first};
+  cut[seed->first] = true;
   while (!front.empty()) {
     const Triangle t = mesh.triangles[front.back()];
     front.pop_back();
-    if (normal_of(mesh, t).dot(along) * towards < even) return std::nullopt;
+    if (normal_of(mesh, t).normalized().dot(along) * towards < even) return std::nullopt;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto beyond = owner.find({t[(k + 1) % 3], t[k]});
       if (beyond == owner.end()) return std::nullopt;
-      const Triangle& next = mesh.triangles[beyond->second];
-      const Vec3 middle = (mesh.vertices[next[0]] + mesh.vertices[next[1]] + mesh.vertices[next[2]]) / 3;
+      const Vec3 middle = middle_of(mesh, mesh.triangles[beyond->second]);
       if (cut[beyond->second] || bore.off_axis(middle) > radius) continue;
       cut[beyond->second] = true;
       front.push_back(beyond->second);
     }
   }
+  std::map<std::uint32_t, std::uint32_t> rim;  // from what is cut: the next vertex along it
   for (const auto& [edge, triangle] : owner) {
     if (!cut[triangle] || cut[owner.at({edge.second, edge.first})]) continue;
     if (!rim.emplace(edge.second, edge.first).second) return std::nullopt;  // two rims touch in a vertex
   }
-  std::vector<std::uint32_t> loop = {rim.begin()->first};
-  for (std::uint32_t v = rim.begin()->second; v != loop.front(); v = rim.at(v)) loop.push_back(v);
-  if (loop.size() != rim.size()) return std::nullopt;  // a hole in the disc
-  // Seen along the bore the rim must go once around its axis, always the same way.
-  double turned = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    double step = bore.angle(mesh.vertices[loop[(i + 1) % loop.size()]]) - bore.angle(mesh.vertices[loop[i]]);
-    step -= 2 * std::numbers::pi * std::round(step / (2 * std::numbers::pi));
-    if (turned * step < 0) return std::nullopt;
-    turned += step;
-  }
+  const std::vector<Loop> loops = loops_along(std::move(rim));
+  if (loops.size() != 1 || !goes_around(mesh, bore, loops.front()))
+    return std::nullopt;  // more: a hole in it
   std::size_t i = 0;
   std::erase_if(mesh.triangles, [&](const Triangle&) { return cut[i++]; });
-  return loop;
+  return loops.front();
 }
 
 /// Triangles between two rims that run opposite ways around the bore.
-void add_wall(TriangleMesh& mesh, const Bore& bore, std::vector<std::uint32_t> one,
-              std::vector<std::uint32_t> other) {
+void add_wall(TriangleMesh& mesh, const Bore& bore, const Loop& one, Loop other) {
   std::ranges::reverse(other);
   const auto angle = [&](std::uint32_t v) { return bore.angle(mesh.vertices[v]); };
   const auto apart = [](double a, double b) {
@@ -220,8 +200,8 @@ std::vector<Drain> drains_of(const TriangleMesh& outer, const TriangleMesh& cavi
       const Vec3& p = cavity.vertices[corners[i]];
       const auto nearest = distance.nearest(p, 1.1 * least);
       if (!nearest) continue;
-      const Triangle& t = outer.triangles[*nearest];
-      const Vec3 q = nearest_on_triangle(p, outer.vertices[t[0]], outer.vertices[t[1]], outer.vertices[t[2]]);
+      const auto [a, b, c] = corners_of(outer, outer.triangles[*nearest]);
+      const Vec3 q = nearest_on_triangle(p, a, b, c);
       const Drain drain{q, (p - q).normalized()};
       try {
         const Bore bore(drain);
@@ -247,9 +227,9 @@ TriangleMesh drained(const TriangleMesh& outer, const TriangleMesh& cavity, cons
     const auto end = mouth ? cut_disc(mesh, bore, radius, 0.1 * radius, 1, drain.along) : std::nullopt;
     if (!mouth || !end)
       throw InputError(
-          fmt::format("a drain hole of {:.3g} mm radius at {:.4g},{:.4g},{:.4g} mm: expected both sides "
-                      "of the wall to be even there",
-                      radius, drain.from[0], drain.from[1], drain.from[2]));
+          fmt::format("a drain hole of {:.3g} mm radius at {:.4g} mm: expected both sides of the wall to be "
+                      "even there",
+                      radius, fmt::join(drain.from, ",")));
     add_wall(mesh, bore, *mouth, *end);
   }
   return mesh;

@@ -1,10 +1,10 @@
 #include "fabricate/high_places.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 #include <optional>
 
+#include "geometry/triangle.hpp"
 #include "mesh/query/sides.hpp"
 
 namespace kreisel::core {
@@ -14,8 +14,7 @@ namespace {
 std::vector<bool> facing_up(const TriangleMesh& mesh) {
   std::vector<double> up(mesh.vertices.size());
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-    const double area = (b - a).cross(c - a)[2];
+    const double area = normal_of(mesh, t)[2];
     for (const std::uint32_t v : t) up[v] += area;
   }
   std::vector<bool> faces;

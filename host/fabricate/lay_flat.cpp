@@ -13,13 +13,9 @@ namespace {
 
 /// Of all its surfaces, turned.
 Box box_of(const MaterialPart& part, const Eigen::Affine3d& motion) {
-  Box box{Vec3::Constant(INFINITY), Vec3::Constant(-INFINITY)};
+  Box box;
   for (const TriangleMesh& mesh : part.surfaces)
-    for (const Vec3& v : mesh.vertices) {
-      const Vec3 p = motion * v;
-      box.lo = box.lo.cwiseMin(p);
-      box.hi = box.hi.cwiseMax(p);
-    }
+    for (const Vec3& v : mesh.vertices) box.add(motion * v);
   return box;
 }
 

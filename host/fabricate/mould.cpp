@@ -6,14 +6,13 @@
 #include <cmath>
 #include <utility>
 
-#include "body/frame.hpp"
 #include "body/mesh_moments.hpp"
 #include "error.hpp"
 #include "fabricate/high_places.hpp"
 #include "fabricate/lay_flat.hpp"
 #include "fabricate/poured.hpp"
+#include "geometry/moved.hpp"
 #include "mesh/io/encode.hpp"
-#include "mesh/make/moved.hpp"
 #include "mesh/make/prism.hpp"
 #include "mesh/solid/components.hpp"
 
@@ -21,28 +20,6 @@ namespace kreisel::core {
 namespace {
 
 double volume_of(const TriangleMesh& mesh) { return reference::mesh_moments(mesh).value[S1]; }
-
-TriangleMesh turned(const TriangleMesh& mesh, const Eigen::Matrix3d& rotation) {
-  return moved(mesh, Eigen::Affine3d(rotation));
-}
-
-/// The triangles of a shell as a mesh.
-TriangleMesh part_of(const TriangleMesh& mesh, const Shell& shell) {
-  TriangleMesh part;
-  std::vector<std::uint32_t> number(mesh.vertices.size(), UINT32_MAX);
-  for (const std::uint32_t t : shell.triangles) {
-    Triangle triangle = mesh.triangles[t];
-    for (std::uint32_t& v : triangle) {
-      if (number[v] == UINT32_MAX) {
-        number[v] = static_cast<std::uint32_t>(part.vertices.size());
-        part.vertices.push_back(mesh.vertices[v]);
-      }
-      v = number[v];
-    }
-    part.triangles.push_back(triangle);
-  }
-  return part;
-}
 
 /// All lengths of a mould, mm.
 struct Sizes {
@@ -75,19 +52,17 @@ MaterialPart block_around(const TriangleMesh& metal, const Sizes& sizes, double 
   const double x0 = box.lo[0] - sizes.wall, x1 = box.hi[0] + sizes.wall, y0 = box.lo[1] - sizes.wall,
                y1 = box.hi[1] + sizes.wall;
   const TriangleMesh around =
-      prism({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, box.lo[2] - sizes.wall, box.hi[2] + sizes.wall);
-  TriangleMesh cavity = metal;
-  for (Triangle& t : cavity.triangles) std::swap(t[1], t[2]);
+      prism(Polygon{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, box.lo[2] - sizes.wall, box.hi[2] + sizes.wall);
   // Cut below where the channels end, they are open.
-  const Cut lid{Vec3::UnitZ(), top, 0};
-  return cut_part({"mould", 1, {around, cavity}}, std::span(&lid, 1))[1];
+  const Plane lid{Vec3::UnitZ(), top};
+  return cut_part({"mould", 1, {around, turned_over(metal)}}, std::span(&lid, 1))[1];
 }
 
 double holes_of(const std::vector<MaterialPart>& parts, const Pegs& pegs) {
   double sum = 0;
   for (const MaterialPart& part : parts)
     if (part.name.starts_with("peg"))
-      sum += volume_of(prism(circle({0, 0}, pegs.radius, Pegs::sides), 0, 2 * pegs.depth()));
+      sum += volume_of(prism(circle(Vec2::Zero(), pegs.radius, Pegs::sides), 0, 2 * pegs.depth()));
   return sum;
 }
 
@@ -104,7 +79,7 @@ std::vector<TriangleMesh> castings_of(const MaterialPart& part, double least) {
                       "expected a solid without one, as by a heavier filling in place of the void "
                       "(--void-density)",
                       part.name, -shell.volume));
-    castings.push_back(part_of(mesh, shell));
+    castings.push_back(part_of(mesh, shell.triangles));
   }
   return castings;
 }
@@ -113,20 +88,20 @@ Mould mould_of(const TriangleMesh& casting) {
   constexpr Pegs pegs{1.5};
   Mould mould;
   mould.parting = least_undercut(casting);
-  const Sizes sizes(bounding_box(turned(casting, axis_to_z(mould.parting.normal))).extent(), pegs.radius);
+  const Sizes sizes(bounding_box(moved(casting, axis_to_z(mould.parting.normal))).extent(), pegs.radius);
   const double least = std::max(0.5, sizes.vent);
   std::vector<Vec3> places;
   for (const double sign : {1.0, -1.0}) {
-    std::vector<Vec3> found = high_places(turned(casting, axis_to_z(sign * mould.parting.normal)), least);
+    std::vector<Vec3> found = high_places(moved(casting, axis_to_z(sign * mould.parting.normal)), least);
     if (!places.empty() && found.size() >= places.size()) continue;
     places = std::move(found);
-    if (sign < 0) mould.parting.normal *= -1, mould.parting.offset *= -1;
+    if (sign < 0) mould.parting = {mould.parting.reversed(), mould.parting.undercut};
   }
-  const TriangleMesh upright = turned(casting, axis_to_z(mould.parting.normal));
+  const TriangleMesh upright = moved(casting, axis_to_z(mould.parting.normal));
   const double top = bounding_box(upright).hi[2] + sizes.head;
   const std::vector<Channel> channels = channels_of(places, sizes, top + 3 * sizes.cell);
   const MaterialPart block = block_around(poured(upright, channels, sizes.cell), sizes, top);
-  const Cut halves{Vec3::UnitZ(), mould.parting.offset, 0};
+  const Plane halves{Vec3::UnitZ(), mould.parting.offset};
   mould.parts = cut_part(block, std::span(&halves, 1), pegs);
   // Printed with the cavity open upwards, so that no support goes into it.
   mould.parts[0].down = Vec3::UnitZ(), mould.parts[1].down = -Vec3::UnitZ();

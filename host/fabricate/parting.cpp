@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
-#include "body/frame.hpp"
+#include "geometry/moved.hpp"
 #include "mesh/query/surface_rays.hpp"
 #include "parallel.hpp"
 
@@ -38,9 +37,7 @@ Line along(const SurfaceRays& rays, const Vec3& from, const Vec3& normal, double
 
 Lines::Lines(const TriangleMesh& casting, const SurfaceRays& rays, const Vec3& normal, int across) {
   const Eigen::Matrix3d turn = axis_to_z(normal);
-  TriangleMesh turned = casting;
-  for (Vec3& v : turned.vertices) v = turn * v;
-  const Box box = bounding_box(turned);
+  const Box box = bounding_box(moved(casting, turn));
   bottom = box.lo[2], top = box.hi[2];
   const double step = std::max(box.extent()[0], box.extent()[1]) / across, below = 0.1 * box.extent().norm();
   area = step * step;
@@ -63,15 +60,12 @@ double Lines::undercut(double height) const {
   return area * std::max(0.0, sum);
 }
 
-/// Directions of a half of the sphere, evenly apart (a Fibonacci spiral), and the axes.
+/// The axes, and directions of the upper half of the sphere.
 std::vector<Vec3> directions() {
   std::vector<Vec3> all = {Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitY()};
-  constexpr int spiral = 100;
-  constexpr double golden = std::numbers::pi * (3 - 2.23606797749979);
-  for (int k = 0; k < spiral; ++k) {
-    const double z = (k + 0.5) / spiral, r = std::sqrt(1 - z * z);
-    all.push_back({r * std::cos(golden * k), r * std::sin(golden * k), z});
-  }
+  constexpr int upper = 100;
+  const std::vector<Vec3> sphere = sphere_directions(2 * upper);
+  all.insert(all.end(), sphere.begin(), sphere.begin() + upper);
   return all;
 }
 
@@ -85,12 +79,12 @@ Parting best_height(const Lines& seen, const Vec3& normal) {
   double volume = 0;
   for (const Line& line : seen.lines)
     for (const auto& [from, to] : line) volume += seen.area * (to - from);
-  Parting best{normal, middle, INFINITY};
+  Parting best{{normal, middle}, INFINITY};
   double least = INFINITY;
   for (int k = 1; k < heights; ++k) {
     const double height = seen.bottom + size * k / heights, held = seen.undercut(height);
     const double cost = held + unseen * volume * std::abs(height - middle) / size;
-    if (cost < least) best = {normal, height, held}, least = cost;
+    if (cost < least) best = {{normal, height}, held}, least = cost;
   }
   return best;
 }

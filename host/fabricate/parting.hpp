@@ -1,17 +1,15 @@
 // parting.hpp - in which direction the two halves of a mould come off a casting.
 #pragma once
 
-#include "geometry/triangle_mesh.hpp"
+#include "geometry/plane.hpp"
 
 namespace kreisel::core {
 
-/// A flat parting: the halves of a mould meet in normal . x = offset and are drawn apart along the normal.
-struct Parting {
-  Vec3 normal;  ///< of length 1
-  double offset;
+/// A flat parting: the halves of a mould meet in the plane and are drawn apart along its normal, of length 1.
+struct Parting : Plane {
   /// How much of the mould a casting holds back: what of either half has casting in front of it, cubed units
   /// of the mesh. 0: the halves come off; else they must give way, or break.
-  double undercut;
+  double undercut = 0;
 };
 
 /// The parting with the least undercut, of some hundred directions, by rays on a grid: for each the best of

@@ -4,15 +4,11 @@
 
 #include "body/mesh_moments.hpp"
 #include "fabricate/void_surface.hpp"
+#include "geometry/moved.hpp"
 #include "mesh/solid/separate_edges.hpp"
 
 namespace kreisel::core {
 namespace {
-
-TriangleMesh turned_over(TriangleMesh mesh) {
-  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
-  return mesh;
-}
 
 VoxelSet complement(const VoxelSet& set) {
   VoxelSet other(set.domain(), false);

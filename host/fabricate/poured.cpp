@@ -36,8 +36,8 @@ Box box_of(const TriangleMesh& casting, const std::vector<Channel>& channels) {
   Box box = bounding_box(casting);
   for (const Channel& c : channels) {
     const Vec3 reach(c.radius, c.radius, 0);
-    box.lo = box.lo.cwiseMin(c.bottom - reach);
-    box.hi = box.hi.cwiseMax(Vec3(c.bottom[0], c.bottom[1], c.top) + reach);
+    box.add(c.bottom - reach);
+    box.add(Vec3(c.bottom[0], c.bottom[1], c.top) + reach);
   }
   return box;
 }

@@ -10,6 +10,8 @@
 
 #include "error.hpp"
 #include "fabricate/lattice_points.hpp"
+#include "geometry/distance.hpp"
+#include "geometry/moved.hpp"
 #include "parallel.hpp"
 
 namespace kreisel::core {
@@ -91,11 +93,9 @@ double zero(const Function& f, double end, double tolerance) {
 /// those of the triangle nearest to its end, until no triangle is too near, passes by none.
 double stay_deep(const SurfaceDistance& distance, const TriangleMesh& mesh, const Vec3& p, const Vec3& d,
                  double end, double wall, double tolerance) {
-  const auto& v = mesh.vertices;
   while (const auto near = distance.nearest(p + end * d, wall - tolerance)) {
-    const Triangle& t = mesh.triangles[*near];
-    end = zero([&](double s) { return distance_to_triangle(p + s * d, v[t[0]], v[t[1]], v[t[2]]) - wall; },
-               end, tolerance / 2);
+    const auto& [a, b, c] = corners_of(mesh, mesh.triangles[*near]);
+    end = zero([&](double s) { return distance_to_triangle(p + s * d, a, b, c) - wall; }, end, tolerance / 2);
   }
   return end;
 }
@@ -105,7 +105,7 @@ double stay_deep(const SurfaceDistance& distance, const TriangleMesh& mesh, cons
 std::optional<Vec3> meeting_point(const Quadric& quadric, const SurfaceDistance& distance,
                                   const std::array<Vec3, 3>& face, const Vec3& on_quadric,
                                   const Vec3& on_offset, double wall, double tolerance) {
-  const Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]).normalized();
+  const Vec3 normal = normal_of(face[0], face[1], face[2]).normalized();
   Vec3 across = quadric.gradient(on_quadric);
   across -= normal.dot(across) * normal;
   const Vec3 along = on_offset - on_quadric;
@@ -189,8 +189,7 @@ TriangleMesh CavityMesher::operator()(const Moments& q) const {
   };
   TriangleMesh mesh = march(lattice_, inside, surface);
   reached_.merge(fresh);
-  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);  // the void's boundary seen from inside it
-  return mesh;
+  return turned_over(std::move(mesh));  // the void's boundary seen from inside it
 }
 
 TriangleMesh quadric_cavity(const Body& body, double wall, const Moments& q, double cell) {

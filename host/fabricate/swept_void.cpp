@@ -1,11 +1,12 @@
 #include "fabricate/swept_void.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "geometry/polygon.hpp"
+#include "geometry/triangle.hpp"
 #include "parallel.hpp"
 
 namespace kreisel::core {
@@ -13,22 +14,11 @@ namespace {
 
 constexpr double none = -std::numeric_limits<double>::infinity();
 
-/// Two coordinates across the direction, then the height along it.
-struct View {
-  Eigen::Matrix3d axes;  ///< rows, right-handed
-  Vec3 normal;           ///< of the cut
-  double offset;
-
-  explicit View(const WayOff& way) : offset(way.offset) {
-    const Vec3 u = way.direction.unitOrthogonal();
-    axes << u.transpose(), way.direction.cross(u).transpose(), way.direction.transpose();
-    normal = axes * way.normal;
-  }
-  [[nodiscard]] double cut(double u, double v) const {
-    return (offset - normal[0] * u - normal[1] * v) / normal[2];
-  }
-  [[nodiscard]] double above_cut(const Vec3& p) const { return p[2] - cut(p[0], p[1]); }
-};
+/// Height of the cut.
+double cut_at(const HalfView& view, double u, double v) {
+  const auto& [normal, offset] = view.cut;
+  return (offset - normal[0] * u - normal[1] * v) / normal[2];
+}
 
 /// What is known at a corner of the pixels.
 struct Node {
@@ -40,24 +30,24 @@ struct Node {
 
 class HeightField {
  public:
-  HeightField(const TriangleMesh& shape, const View& view, double radius, double pixel)
+  HeightField(const TriangleMesh& shape, const HalfView& view, double radius, double pixel)
       : view_(view), radius_(radius), pixel_(pixel) {
     points_.reserve(shape.vertices.size());
-    for (const Vec3& v : shape.vertices) points_.push_back(view.axes * v);
-    Vec3 lo = Vec3::Constant(-none), hi = -lo;
+    for (const Vec3& v : shape.vertices) points_.push_back(view.into(v));
+    Box box;
     for (const Vec3& p : points_)
-      if (within_reach(p)) lo = lo.cwiseMin(p), hi = hi.cwiseMax(p);
+      if (within_reach(p)) box.add(p);
     // Triangles that reach across: their corners beyond the cut are there, the others bound them.
     for (const Triangle& t : shape.triangles) {
       if (std::ranges::none_of(t, [&](std::uint32_t v) { return within_reach(points_[v]); })) continue;
       triangles_.push_back(t);
-      for (const std::uint32_t v : t) lo = lo.cwiseMin(points_[v]), hi = hi.cwiseMax(points_[v]);
+      for (const std::uint32_t v : t) box.add(points_[v]);
     }
     if (triangles_.empty()) return;
     const double margin = radius + 3 * pixel;
-    origin_ = {lo[0] - margin, lo[1] - margin};
-    columns_ = static_cast<std::size_t>((hi[0] - lo[0] + 2 * margin) / pixel) + 2;
-    rows_ = static_cast<std::size_t>((hi[1] - lo[1] + 2 * margin) / pixel) + 2;
+    origin_ = {box.lo[0] - margin, box.lo[1] - margin};
+    columns_ = static_cast<std::size_t>((box.extent()[0] + 2 * margin) / pixel) + 2;
+    rows_ = static_cast<std::size_t>((box.extent()[1] + 2 * margin) / pixel) + 2;
     nodes_.resize(columns_ * rows_);
     for (const Triangle& t : triangles_) look_down_on(t);
     raise();
@@ -72,14 +62,12 @@ class HeightField {
 
  private:
   /// Balls about what lies farther beneath the cut stay beneath it.
-  [[nodiscard]] bool within_reach(const Vec3& p) const {
-    return view_.normal.dot(p) - view_.offset > -radius_;
-  }
+  [[nodiscard]] bool within_reach(const Vec3& p) const { return view_.cut.above(p) > -radius_; }
 
   /// The corners of pixels that a triangle covers.
   void look_down_on(const Triangle& t) {
     const Vec3 &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
-    const Vec3 normal = (b - a).cross(c - a);
+    const Vec3 normal = normal_of(a, b, c);
     if (normal[2] == 0) return;
     const double sign = normal[2] > 0 ? 1 : -1;
     const auto first = [&](double x, int axis) {
@@ -154,7 +142,8 @@ class HeightField {
   }
 
   void raise_row(const Vec3& centre, std::size_t j, double reach) {
-    const double beneath = std::max(0.0, -view_.above_cut(centre)) * view_.normal[2];
+    const double beneath =
+        std::max(0.0, cut_at(view_, centre[0], centre[1]) - centre[2]) * view_.cut.normal[2];
     const double rim_radius = std::sqrt(radius_ * radius_ - beneath * beneath);
     const double dy = v(j) - centre[1], half = std::sqrt(std::max(0.0, reach * reach - dy * dy));
     const auto begin = static_cast<std::size_t>(std::ceil((centre[0] - half - origin_[0]) / pixel_)),
@@ -165,18 +154,18 @@ class HeightField {
       if (square < radius_ * radius_)
         node.top = std::max(node.top, centre[2] + std::sqrt(radius_ * radius_ - square));
       // Of points above each other, as those of an upright wall, the highest.
-      const double inside = rim_radius - std::sqrt(square), rim = centre[2] + beneath / view_.normal[2];
+      const double inside = rim_radius - std::sqrt(square), rim = centre[2] + beneath / view_.cut.normal[2];
       if (inside > node.inside - 0.25 * pixel_)
         node.rim = inside > node.inside + 0.25 * pixel_ ? rim : std::max(node.rim, rim);
       node.inside = std::max(node.inside, inside);
     }
   }
 
-  const View& view_;
+  const HalfView& view_;
   double radius_, pixel_;
   std::vector<Vec3> points_;
   std::vector<Triangle> triangles_;
-  std::array<double, 2> origin_{};
+  Vec2 origin_ = Vec2::Zero();
   std::size_t columns_ = 0, rows_ = 0;
   std::vector<Node> nodes_;
 };
@@ -184,7 +173,7 @@ class HeightField {
 /// The field's inside, cut out of triangles of half a pixel each, over the same at the bottom.
 class Solid {
  public:
-  Solid(const HeightField& field, const View& view, double below)
+  Solid(const HeightField& field, const HalfView& view, double below)
       : field_(field),
         view_(view),
         below_(below),
@@ -201,10 +190,9 @@ class Solid {
   [[nodiscard]] TriangleMesh mesh() const {
     TriangleMesh mesh;
     const auto count = static_cast<std::uint32_t>(top_.size());
-    const auto into_model = [&](const Vec3& p) -> Vec3 { return view_.axes.transpose() * p; };
-    for (const Vec3& p : top_) mesh.vertices.push_back(into_model(p));
+    for (const Vec3& p : top_) mesh.vertices.push_back(view_.out_of(p));
     for (const Vec3& p : top_)
-      mesh.vertices.push_back(into_model({p[0], p[1], view_.cut(p[0], p[1]) - below_}));
+      mesh.vertices.push_back(view_.out_of({p[0], p[1], cut_at(view_, p[0], p[1]) - below_}));
     for (const auto& [a, b, c] : triangles_) {
       mesh.triangles.push_back({a, c, b});
       mesh.triangles.push_back({a + count, b + count, c + count});
@@ -250,7 +238,7 @@ class Solid {
 
   std::uint32_t vertex(double u, double v, double height) {
     // Beneath the cut it no longer matters how far, but it stays above the bottom.
-    top_.emplace_back(u, v, std::max(height, view_.cut(u, v) - below_ / 2));
+    top_.emplace_back(u, v, std::max(height, cut_at(view_, u, v) - below_ / 2));
     return static_cast<std::uint32_t>(top_.size() - 1);
   }
   std::uint32_t corner(const Place& p) {
@@ -274,7 +262,7 @@ class Solid {
   }
 
   const HeightField& field_;
-  const View& view_;
+  const HalfView& view_;
   double below_;
   std::vector<std::uint32_t> corner_, crossing_;  ///< vertices
   std::vector<Vec3> top_;
@@ -286,7 +274,7 @@ class Solid {
 
 TriangleMesh swept_void(const TriangleMesh& shape, const WayOff& way, double clearance, double pixel,
                         double below) {
-  const View view(way);
+  const HalfView view(way, way.direction);
   const HeightField field(shape, view, clearance + 1.5 * pixel, pixel);
   if (field.empty()) return {};
   return Solid(field, view, below).mesh();

@@ -1,15 +1,13 @@
 // swept_void.hpp - the space that a shape needs to be taken out of a half.
 #pragma once
 
-#include "geometry/triangle_mesh.hpp"
+#include "geometry/plane.hpp"
 
 namespace kreisel::core {
 
 /// How one half of a cut shape leaves another shape behind.
-struct WayOff {
-  Vec3 normal;     ///< of the cut, unit length, into the half
-  double offset;   ///< the half is normal . x > offset
-  Vec3 direction;  ///< unit length, normal . direction > 0: where the half goes
+struct WayOff : Plane {  ///< the cut: a normal of unit length, into the half
+  Vec3 direction;        ///< unit length, normal . direction > 0: where the half goes
 };
 
 /// The boundary of everything within `clearance` of the shape's part beyond the cut, and of that on its way

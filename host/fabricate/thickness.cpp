@@ -1,10 +1,10 @@
 #include "fabricate/thickness.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <vector>
 
+#include "geometry/triangle.hpp"
 #include "mesh/io/encode.hpp"
 #include "mesh/query/surface_rays.hpp"
 #include "parallel.hpp"
@@ -22,11 +22,9 @@ ThinPlace thinnest_material(const TriangleMesh& outer, const TriangleMesh& cavit
   std::vector<ThinPlace> thinnest((cavity.triangles.size() + chunk - 1) / chunk, ThinPlace{infinity});
   parallel_for(thinnest.size(), [&](std::size_t c) {
     for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, cavity.triangles.size()); ++i) {
-      const Triangle& t = cavity.triangles[i];
-      const Vec3 &p = cavity.vertices[t[0]], &q = cavity.vertices[t[1]], &r = cavity.vertices[t[2]];
-      const Vec3 into_void = (q - p).cross(r - p);
+      const Vec3 into_void = normal_of(cavity, cavity.triangles[i]);
       if (!(into_void.norm() > 0)) continue;
-      const Vec3 from = (p + q + r) / 3;
+      const Vec3 from = middle_of(cavity, cavity.triangles[i]);
       const auto hit = rays.first(from, -into_void.normalized(), off, size);
       if (hit && hit->distance < thinnest[c].thickness) thinnest[c] = {hit->distance, from};
     }

@@ -8,12 +8,12 @@
 #include "body/mesh_moments.hpp"
 #include "error.hpp"
 #include "fabricate/lay_flat.hpp"
+#include "geometry/moved.hpp"
 #include "geometry/single_precision.hpp"
 #include "mesh/io/encode.hpp"
 #include "mesh/io/format.hpp"
 #include "mesh/io/read.hpp"
 #include "mesh/io/write.hpp"
-#include "mesh/make/moved.hpp"
 #include "mesh/solid/check.hpp"
 #include "mesh/solid/separate_edges.hpp"
 

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 
+#include "geometry/moved.hpp"
 #include "mesh/io/encode.hpp"
 #include "mesh/solid/components.hpp"
 
@@ -83,7 +83,7 @@ std::vector<Cut> cuts_of(const TriangleMesh& mesh, const std::vector<Shell>& voi
         where = &across;
       }
     if (!where) break;  // what is left has no volume
-    cuts.push_back({where->normal, best.offset, best.count});
+    cuts.push_back({{where->normal, best.offset}, best.count});
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < where->closed.size(); ++i)
       if (!where->closed[i].holds(best.offset)) left.push_back(i);
@@ -111,10 +111,10 @@ std::string list_of(const std::vector<double>& volumes) {
 }  // namespace
 
 std::vector<Vec3> cut_directions(const Body& body) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia_about_centre(body.solid));
+  const PrincipalAxes principal(inertia_about_centre(body.solid));
   std::vector<Vec3> directions = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
   for (int k = 0; k < 3; ++k)
-    directions.emplace_back(body.frame.rotation.transpose() * principal.eigenvectors().col(k));
+    directions.emplace_back(body.frame.rotation.transpose() * principal.axes.col(k));
   return directions;
 }
 
@@ -149,22 +149,10 @@ TriangleMesh without_small_shells(const TriangleMesh& cavity, double least_volum
   const std::vector<Shell> all = shells(cavity);
   const auto small = [&](const Shell& shell) { return std::abs(shell.volume) < least_volume; };
   if (std::ranges::none_of(all, small)) return cavity;
-  TriangleMesh kept;
-  std::vector<std::uint32_t> number(cavity.vertices.size(), std::numeric_limits<std::uint32_t>::max());
-  for (const Shell& shell : all) {
-    if (small(shell)) continue;
-    for (const std::uint32_t t : shell.triangles) {
-      Triangle& triangle = kept.triangles.emplace_back(cavity.triangles[t]);
-      for (std::uint32_t& v : triangle) {
-        if (number[v] == std::numeric_limits<std::uint32_t>::max()) {
-          number[v] = static_cast<std::uint32_t>(kept.vertices.size());
-          kept.vertices.push_back(cavity.vertices[v]);
-        }
-        v = number[v];
-      }
-    }
-  }
-  return kept;
+  std::vector<std::uint32_t> kept;
+  for (const Shell& shell : all)
+    if (!small(shell)) kept.insert(kept.end(), shell.triangles.begin(), shell.triangles.end());
+  return part_of(cavity, kept);
 }
 
 std::string Voids::text() const {

@@ -6,13 +6,12 @@
 #include <vector>
 
 #include "body/body.hpp"
+#include "geometry/plane.hpp"
 
 namespace kreisel::core {
 
-/// A plane that opens what it runs through: normal . x = offset.
-struct Cut {
-  Vec3 normal;
-  double offset = 0;
+/// A plane that opens what it runs through.
+struct Cut : Plane {
   std::size_t opens = 0;  ///< void pieces that no earlier cut opens
 };
 

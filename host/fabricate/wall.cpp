@@ -4,6 +4,7 @@
 #include <atomic>
 #include <limits>
 
+#include "geometry/triangle.hpp"
 #include "mesh/query/distance.hpp"
 #include "parallel.hpp"
 
@@ -20,10 +21,7 @@ class LeastDistance {
 
   template <class Point>
   void look_at(std::size_t count, Point&& point) {
-    constexpr std::size_t chunk = 1024;
-    parallel_for((count + chunk - 1) / chunk, [&](std::size_t c) {
-      for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, count); ++i) look_at(point(i));
-    });
+    parallel_for(count, 1024, [&](std::size_t i) { look_at(point(i)); });
   }
   [[nodiscard]] double result() const {
     const double least = least_;
@@ -55,10 +53,8 @@ double least_wall(const TriangleMesh& outer, const TriangleMesh& cavity) {
   if (cavity.triangles.empty()) return std::numeric_limits<double>::infinity();
   LeastDistance least(outer, farthest_apart(outer, cavity), -1);
   least.look_at(cavity.vertices.size(), [&](std::size_t i) { return cavity.vertices[i]; });
-  least.look_at(cavity.triangles.size(), [&](std::size_t i) -> Vec3 {
-    const Triangle& t = cavity.triangles[i];
-    return (cavity.vertices[t[0]] + cavity.vertices[t[1]] + cavity.vertices[t[2]]) / 3;
-  });
+  least.look_at(cavity.triangles.size(),
+                [&](std::size_t i) { return middle_of(cavity, cavity.triangles[i]); });
   return least.result();
 }
 

@@ -7,7 +7,7 @@
 namespace kreisel::core {
 namespace {
 
-using Point = std::array<double, 2>;
+using Point = Vec2;
 
 /// Is p in the closed triangle a, b, c, which runs counter-clockwise?
 bool in_triangle(const Point& p, const Point& a, const Point& b, const Point& c) {

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "geometry/polygon.hpp"
+
 namespace kreisel::core {
 
 /// Cuts a polygon into triangles within it that use every edge of it and add no point [Eberly, Triangulation
@@ -18,6 +20,6 @@ namespace kreisel::core {
 /// @return  counter-clockwise triangles, the last without area where three corners on a line are left;
 ///          nothing for a polygon that crosses itself, as far as that is in the way
 [[nodiscard]] std::optional<std::vector<std::array<std::uint32_t, 3>>> clip_ears(
-    std::span<const std::array<double, 2>> points, std::span<const std::uint32_t> polygon);
+    std::span<const Vec2> points, std::span<const std::uint32_t> polygon);
 
 }  // namespace kreisel::core

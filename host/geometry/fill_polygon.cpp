@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <ranges>
+#include <utility>
 
 #include "error.hpp"
 #include "geometry/clip_ears.hpp"
@@ -13,25 +15,30 @@
 namespace kreisel::core {
 namespace {
 
-using Points = std::span<const Point2>;
+using Points = std::span<const Vec2>;
+
+/// What is on the right comes last, of equals what is above.
+auto by_x(Points points) {
+  return [points](std::uint32_t i) { return std::pair(points[i][0], points[i][1]); };
+}
 
 [[noreturn]] void refuse() {
   throw InputError("a section of the mesh crosses itself; expected a mesh that does not run through itself");
 }
 
 /// Is p in the closed triangle a, b, c, which runs counter-clockwise?
-bool in_triangle(const Point2& p, const Point2& a, const Point2& b, const Point2& c) {
+bool in_triangle(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c) {
   return orient2d(a, b, p) >= 0 && orient2d(b, c, p) >= 0 && orient2d(c, a, p) >= 0;
 }
 
 /// The place in the polygon from which `from`, a point of a hole to its left, can be seen: of the first edge
 /// to the right its end further right, or what lies before that.
-std::optional<std::size_t> visible_from(Points points, const Loop& polygon, const Point2& from) {
+std::optional<std::size_t> visible_from(Points points, const Loop& polygon, const Vec2& from) {
   const std::size_t n = polygon.size();
   double nearest = std::numeric_limits<double>::infinity();
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < n; ++i) {
-    const Point2 &a = points[polygon[i]], &b = points[polygon[(i + 1) % n]];
+    const Vec2 &a = points[polygon[i]], &b = points[polygon[(i + 1) % n]];
     // The inside lies to the left of an edge that goes up.
     if (!(a[1] <= from[1] && b[1] >= from[1] && a[1] != b[1]) || orient2d(a, b, from) < 0) continue;
     const double x = a[0] + (from[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
@@ -42,21 +49,21 @@ std::optional<std::size_t> visible_from(Points points, const Loop& polygon, cons
   if (!best) return std::nullopt;
   // Within the triangle of the hit, of reflex corners the one at the smallest angle to the ray, then the
   // nearest.
-  const Point2 hit = {nearest, from[1]}, corner = points[polygon[*best]];
+  const Vec2 hit = {nearest, from[1]}, corner = points[polygon[*best]];
   const bool above = corner[1] > from[1];
-  const auto slope = [&](const Point2& p) { return std::abs(p[1] - from[1]) / (p[0] - from[0]); };
+  const auto slope = [&](const Vec2& p) { return std::abs(p[1] - from[1]) / (p[0] - from[0]); };
   for (std::size_t i = 0; i < n; ++i) {
-    const Point2& p = points[polygon[i]];
+    const Vec2& p = points[polygon[i]];
     if (!(p[0] > from[0]) || p == points[polygon[*best]]) continue;
     if (!(above ? in_triangle(p, from, hit, corner) : in_triangle(p, from, corner, hit))) continue;
-    const Point2& kept = points[polygon[*best]];
+    const Vec2& kept = points[polygon[*best]];
     if (slope(p) < slope(kept) || (slope(p) == slope(kept) && p[0] < kept[0])) best = i;
   }
   // A corner that a bridge has doubled: the copy whose wedge `from` lies in.
   for (std::size_t i = 0; i < n; ++i) {
     if (points[polygon[i]] != points[polygon[*best]]) continue;
-    const Point2 &p = points[polygon[i]], &before = points[polygon[(i + n - 1) % n]],
-                 &after = points[polygon[(i + 1) % n]];
+    const Vec2 &p = points[polygon[i]], &before = points[polygon[(i + n - 1) % n]],
+               &after = points[polygon[(i + 1) % n]];
     const bool left = orient2d(before, p, from) > 0, right = orient2d(p, after, from) > 0;
     if (orient2d(before, p, after) >= 0 ? left && right : left || right) return i;
   }
@@ -65,7 +72,7 @@ std::optional<std::size_t> visible_from(Points points, const Loop& polygon, cons
 
 /// Joins a hole to the polygon around it by an edge there and back.
 void bridge(Points points, Loop& polygon, Loop hole) {
-  const auto first = std::ranges::max_element(hole, {}, [&](std::uint32_t i) { return points[i]; });
+  const auto first = std::ranges::max_element(hole, {}, by_x(points));
   std::rotate(hole.begin(), first, hole.end());
   const auto at = visible_from(points, polygon, points[hole.front()]);
   if (!at) refuse();
@@ -76,31 +83,11 @@ void bridge(Points points, Loop& polygon, Loop hole) {
 
 }  // namespace
 
-bool inside_loop(Points points, std::span<const std::uint32_t> loop, const Point2& p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Point2 &a = points[loop[i]], &b = points[loop[(i + 1) % loop.size()]];
-    if ((a[1] <= p[1]) == (b[1] <= p[1])) continue;
-    if ((orient2d(a, b, p) > 0) == (b[1] > a[1])) inside = !inside;
-  }
-  return inside;
-}
-
-double twice_area(Points points, std::span<const std::uint32_t> loop) {
-  double sum = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Point2 &a = points[loop[i]], &b = points[loop[(i + 1) % loop.size()]];
-    sum += (a[0] - points[loop[0]][0]) * (b[1] - points[loop[0]][1]) -
-           (b[0] - points[loop[0]][0]) * (a[1] - points[loop[0]][1]);
-  }
-  return sum;
-}
-
 std::vector<std::array<std::uint32_t, 3>> fill_polygon(Points points, std::vector<Loop> loops) {
   Loop polygon = std::move(loops.front());
   // From the right, so that what lies to the right of a hole is joined already.
   const auto rightmost = [&](const Loop& loop) {
-    return points[*std::ranges::max_element(loop, {}, [&](std::uint32_t i) { return points[i]; })];
+    return std::ranges::max(loop | std::views::transform(by_x(points)));
   };
   std::sort(loops.begin() + 1, loops.end(),
             [&](const Loop& a, const Loop& b) { return rightmost(a) > rightmost(b); });
@@ -125,25 +112,23 @@ std::vector<Loop> loops_along(std::map<std::uint32_t, std::uint32_t> next) {
   return loops;
 }
 
-std::vector<std::array<std::uint32_t, 3>> fill_loops(std::span<const Point2> points,
+std::vector<std::array<std::uint32_t, 3>> fill_loops(std::span<const Vec2> points,
                                                      const std::vector<Loop>& loops) {
   std::vector<std::vector<Loop>> regions;
   std::vector<double> areas;
   for (const Loop& loop : loops)
-    if (const double area = twice_area(points, loop); area > 0) {
+    if (const double enclosed = area(polygon_of(points, loop)); enclosed > 0) {
       regions.push_back({loop});
-      areas.push_back(area);
+      areas.push_back(enclosed);
     }
   for (const Loop& loop : loops) {
-    if (twice_area(points, loop) > 0) continue;
+    if (area(polygon_of(points, loop)) > 0) continue;
     std::size_t home = regions.size();
     for (std::size_t i = 0; i < regions.size(); ++i)
-      if (inside_loop(points, regions[i].front(), points[loop.front()]) &&
+      if (contains(polygon_of(points, regions[i].front()), points[loop.front()]) &&
           (home == regions.size() || areas[i] < areas[home]))
         home = i;
-    if (home == regions.size())
-      throw InputError(
-          "a section of the mesh crosses itself; expected a mesh that does not run through itself");
+    if (home == regions.size()) refuse();
     regions[home].push_back(loop);
   }
   std::vector<std::array<std::uint32_t, 3>> triangles;

@@ -13,7 +13,7 @@ using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 class Flips {
  public:
-  Flips(std::span<const Point2> points, Triangles& triangles) : points_(points), triangles_(triangles) {
+  Flips(std::span<const Vec2> points, Triangles& triangles) : points_(points), triangles_(triangles) {
     for (std::size_t t = 0; t < triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t a = triangles[t][k], b = triangles[t][(k + 1) % 3];
@@ -47,14 +47,10 @@ class Flips {
   /// The sine of the sum of the angles at c and d, opposite of the edge ab, is below 0 beyond the circle;
   /// times the lengths of the four sides.
   [[nodiscard]] bool within_circle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
-    const auto to = [&](std::uint32_t from, std::uint32_t at) -> Point2 {
-      return {points_[at][0] - points_[from][0], points_[at][1] - points_[from][1]};
-    };
-    const auto dot = [](const Point2& p, const Point2& q) { return p[0] * q[0] + p[1] * q[1]; };
-    const auto cross = [](const Point2& p, const Point2& q) { return p[0] * q[1] - p[1] * q[0]; };
-    const Point2 ca = to(c, a), cb = to(c, b), da = to(d, a), db = to(d, b);
-    const double sines = cross(ca, cb) * dot(da, db) + dot(ca, cb) * cross(db, da);
-    return sines < -1e-12 * std::sqrt(dot(ca, ca) * dot(cb, cb) * dot(da, da) * dot(db, db));
+    const Vec2 ca = points_[a] - points_[c], cb = points_[b] - points_[c], da = points_[a] - points_[d],
+               db = points_[b] - points_[d];
+    const double sines = cross(ca, cb) * da.dot(db) + ca.dot(cb) * cross(db, da);
+    return sines < -1e-12 * std::sqrt(ca.dot(ca) * cb.dot(cb) * da.dot(da) * db.dot(db));
   }
 
   void flip(std::uint32_t a, std::uint32_t b) {
@@ -80,7 +76,7 @@ class Flips {
     for (std::size_t k = 0; k < 3; ++k) sides_[key(corners[k], corners[(k + 1) % 3])] = t;
   }
 
-  std::span<const Point2> points_;
+  std::span<const Vec2> points_;
   Triangles& triangles_;
   std::unordered_map<std::uint64_t, std::size_t> sides_;  ///< the triangle to the left of each edge
   std::vector<std::pair<std::uint32_t, std::uint32_t>> open_;
@@ -88,8 +84,6 @@ class Flips {
 
 }  // namespace
 
-void flip_to_delaunay(std::span<const Point2> points, Triangles& triangles) {
-  Flips(points, triangles).run();
-}
+void flip_to_delaunay(std::span<const Vec2> points, Triangles& triangles) { Flips(points, triangles).run(); }
 
 }  // namespace kreisel::core

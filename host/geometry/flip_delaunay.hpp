@@ -2,11 +2,8 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
 
-#include "geometry/fill_polygon.hpp"
+#include "geometry/polygon.hpp"
 
 namespace kreisel::core {
 
@@ -16,6 +13,6 @@ namespace kreisel::core {
 /// own as long as any other corner can be seen from them.
 ///
 /// @param triangles  counter-clockwise by exact signs, no edge of more than two; stays so
-void flip_to_delaunay(std::span<const Point2> points, std::vector<std::array<std::uint32_t, 3>>& triangles);
+void flip_to_delaunay(std::span<const Vec2> points, std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 }  // namespace kreisel::core

@@ -8,8 +8,6 @@
 namespace kreisel::core {
 namespace {
 
-using Point2 = std::array<double, 2>;
-
 int sign(double x) { return (x > 0) - (x < 0); }
 
 /// A sum of doubles without rounding: components that do not overlap, smallest first.
@@ -63,7 +61,7 @@ constexpr double rounding = 16 * 0.5 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-int orient2d(const Point2& a, const Point2& b, const Point2& c) {
+int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double left = (b[0] - a[0]) * (c[1] - a[1]), right = (b[1] - a[1]) * (c[0] - a[0]);
   const double det = left - right;
   if (std::abs(det) > rounding * (std::abs(left) + std::abs(right))) return sign(det);

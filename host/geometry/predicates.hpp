@@ -1,8 +1,7 @@
 // predicates.hpp - on which side? Signs of determinants that are right whatever the rounding.
 #pragma once
 
-#include <array>
-
+#include "geometry/polygon.hpp"
 #include "geometry/triangle_mesh.hpp"
 
 namespace kreisel::core {
@@ -13,16 +12,13 @@ namespace kreisel::core {
 // zero must lie between 1e-90 and 1e100. [Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997]
 
 /// Sign of (b - a) x (c - a): 1 when c lies left of the line from a to b, 0 on it, -1 right of it.
-[[nodiscard]] int orient2d(const std::array<double, 2>& a, const std::array<double, 2>& b,
-                           const std::array<double, 2>& c);
+[[nodiscard]] int orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
 
 /// Sign of ((b - a) x (c - a)) . (d - a): 1 when d is on the side from which a, b, c run counter-clockwise.
 [[nodiscard]] int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 /// The point without coordinate `axis`, the other two in cyclic order.
-[[nodiscard]] inline std::array<double, 2> drop(const Vec3& p, int axis) {
-  return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
-}
+[[nodiscard]] inline Vec2 drop(const Vec3& p, int axis) { return {p[(axis + 1) % 3], p[(axis + 2) % 3]}; }
 
 /// The axis along which the triangle may be dropped without becoming a segment, the best in double precision;
 /// -1 when its corners lie on one line, exactly.

@@ -9,15 +9,13 @@ namespace kreisel::core {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
-using Point2 = std::array<double, 2>;
 
-bool between(const Point2& p, const Point2& q, const Point2& x) {
-  return std::min(p[0], q[0]) <= x[0] && x[0] <= std::max(p[0], q[0]) && std::min(p[1], q[1]) <= x[1] &&
-         x[1] <= std::max(p[1], q[1]);
+bool between(const Vec2& p, const Vec2& q, const Vec2& x) {
+  return (p.cwiseMin(q).array() <= x.array()).all() && (x.array() <= p.cwiseMax(q).array()).all();
 }
 
 /// Closed segments in the plane.
-bool segments_meet(const Point2& p, const Point2& q, const Point2& a, const Point2& b) {
+bool segments_meet(const Vec2& p, const Vec2& q, const Vec2& a, const Vec2& b) {
   const int pa = orient2d(a, b, p), qa = orient2d(a, b, q), ap = orient2d(p, q, a), bp = orient2d(p, q, b);
   if (pa * qa < 0 && ap * bp < 0) return true;
   return (pa == 0 && between(a, b, p)) || (qa == 0 && between(a, b, q)) || (ap == 0 && between(p, q, a)) ||
@@ -27,8 +25,8 @@ bool segments_meet(const Point2& p, const Point2& q, const Point2& a, const Poin
 /// A closed segment in the plane of a closed triangle.
 bool meet_in_plane(const Vec3& p, const Vec3& q, const Corners& t) {
   const int axis = projection_axis(t[0], t[1], t[2]);
-  const Point2 p2 = drop(p, axis), q2 = drop(q, axis);
-  const std::array<Point2, 3> c{drop(t[0], axis), drop(t[1], axis), drop(t[2], axis)};
+  const Vec2 p2 = drop(p, axis), q2 = drop(q, axis);
+  const std::array<Vec2, 3> c{drop(t[0], axis), drop(t[1], axis), drop(t[2], axis)};
   int left = 0, right = 0;  // p against the three edges
   for (std::size_t k = 0; k < 3; ++k) {
     const int side = orient2d(c[k], c[(k + 1) % 3], p2);
@@ -69,8 +67,8 @@ bool all_on_one_side(const std::array<int, 3>& s) {
 /// first ones of both) aside? Then the two have nothing else in common. Cheap, and spares flat neighbours the
 /// exact sums.
 bool side_separates(const Corners& s, const Corners& t, std::size_t shared, int axis) {
-  const std::array<Point2, 3> a{drop(s[0], axis), drop(s[1], axis), drop(s[2], axis)};
-  const std::array<Point2, 3> b{drop(t[0], axis), drop(t[1], axis), drop(t[2], axis)};
+  const std::array<Vec2, 3> a{drop(s[0], axis), drop(s[1], axis), drop(s[2], axis)};
+  const std::array<Vec2, 3> b{drop(t[0], axis), drop(t[1], axis), drop(t[2], axis)};
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
     if (shared && k != 0 && next != 0) continue;  // the line must pass through the shared corner
@@ -114,7 +112,7 @@ bool one_shared_corner(const Corners& s, const Corners& t) {
 /// Corners 0 and 1 are shared: improper only when the third corners lie in one plane with them, on one side.
 bool shared_edge(const Corners& s, const Corners& t) {
   const int axis = projection_axis(s[0], s[1], s[2]);
-  const Point2 a = drop(s[0], axis), b = drop(s[1], axis);
+  const Vec2 a = drop(s[0], axis), b = drop(s[1], axis);
   if (orient2d(a, b, drop(s[2], axis)) != orient2d(a, b, drop(t[2], axis))) return false;  // most pairs
   return orient3d(s[0], s[1], s[2], t[2]) == 0;
 }

@@ -13,7 +13,7 @@ class InVoxels {
  public:
   InVoxels(const TriangleMesh& mesh, double voxel) : mesh_(mesh), voxel_(voxel) {
     const Box box = bounding_box(mesh);
-    centre_ = 0.5 * (box.lo + box.hi);
+    centre_ = box.centre();
   }
   [[nodiscard]] std::size_t polygonCount() const { return mesh_.triangles.size(); }
   [[nodiscard]] std::size_t pointCount() const { return mesh_.vertices.size(); }

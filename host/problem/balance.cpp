@@ -15,8 +15,8 @@ Balance::Balance(const Vec3& point, const std::optional<Vec3>& direction)
   std::vector<Vec3> across = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
   if (direction_) {
     direction_->normalize();
-    const Vec3 first = direction_->unitOrthogonal();
-    across = {first, direction_->cross(first)};
+    const Eigen::Matrix3d axes = axes_along(*direction_);
+    across = {axes.row(0), axes.row(1)};
   }
   const auto rows = static_cast<Eigen::Index>(across.size());
   constraints_.matrix.setZero(rows, 10);

@@ -14,15 +14,9 @@ std::optional<Vec3> rays_of_balance(const ProblemSettings& settings, const Body&
   const auto& balance = dynamic_cast<const Balance&>(*made);
   const Moments& s = body.solid;
   const Vec3 c = centre_of_mass(s);
-  Eigen::Matrix3d sigma;
-  sigma << s[SXX], s[SXY], s[SXZ], s[SXY], s[SYY], s[SYZ], s[SXZ], s[SYZ], s[SZZ];
-  sigma = sigma / s[S1] - c * c.transpose();
+  const Eigen::Matrix3d sigma = second_moments(s) / s[S1] - c * c.transpose();
   Eigen::Matrix<double, 3, Eigen::Dynamic> across = Eigen::Matrix3d::Identity();
-  if (const auto& line = balance.direction()) {
-    const Vec3 first = line->unitOrthogonal();
-    across.resize(3, 2);
-    across << first, line->cross(first);
-  }
+  if (const auto& line = balance.direction()) across = axes_along(*line).topRows<2>().transpose().eval();
   const Eigen::VectorXd off = across.transpose() * (balance.point() - c);
   if (off.norm() < 1e-9) return std::nullopt;  // body lengths
   const Vec3 normal = (across * (across.transpose() * sigma * across).ldlt().solve(off)).normalized(),

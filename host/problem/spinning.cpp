@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string_view>
 #include <vector>
 
@@ -64,15 +62,10 @@ Spinning::Spinning(const SpinWeights& weights, bool centred, SpinForm form)
 
 SpinState spin_state(const Moments& s) {
   const Eigen::Vector3d c = centre_of_mass(s);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia_about_centre(s));
-  int spin = 0;
-  for (int i = 1; i < 3; ++i)
-    if (std::abs(principal.eigenvectors()(2, i)) > std::abs(principal.eigenvectors()(2, spin))) spin = i;
-  const double sine = std::min(1.0, principal.eigenvectors().col(spin).head<2>().norm()),
-               about_axis = principal.eigenvalues()[spin],
-               lateral = principal.eigenvalues()[spin == 2 ? 1 : 2];
-  return {std::hypot(c[0], c[1]), c[2], std::asin(sine) * 180 / std::numbers::pi, about_axis, lateral,
-          about_axis / lateral};
+  const PrincipalAxes principal(inertia_about_centre(s));
+  const int spin = principal.nearest_to_z();
+  const double about_axis = principal.moments[spin], lateral = principal.moments[spin == 2 ? 1 : 2];
+  return {std::hypot(c[0], c[1]), c[2], principal.tilt_degrees(), about_axis, lateral, about_axis / lateral};
 }
 
 double omega_min_rpm(const Moments& s, double length_mm) {

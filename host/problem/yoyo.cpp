@@ -19,9 +19,9 @@ void require_within(const Body& body) {
     for (const Vec3& v : body.local.vertices) shadow.emplace_back(v[(along + 1) % 3], v[(along + 2) % 3]);
     if (hull_of(std::move(shadow)).inside(Vec2::Zero()) <= 0)
       throw InputError(
-          fmt::format("the axle's centre {:.4g},{:.4g},{:.4g} lies outside the body; expected a point within "
-                      "it (--contact, model coordinates in mm), where its centre of mass can be",
-                      body.contact[0], body.contact[1], body.contact[2]));
+          fmt::format("the axle's centre {:.4g} lies outside the body; expected a point within it "
+                      "(--contact, model coordinates in mm), where its centre of mass can be",
+                      fmt::join(body.contact, ",")));
   }
 }
 

@@ -19,9 +19,9 @@ using RowMajor34 = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
 
 void append(std::vector<double>& to, const Vec3& v) { to.insert(to.end(), v.begin(), v.end()); }
 
-void write_outline(Group& group, const std::string& name, const nest::Polygon& outline) {
+void write_outline(Group& group, const std::string& name, const Polygon& outline) {
   std::vector<double> points;
-  for (const nest::Vec2& p : outline) points.insert(points.end(), {p.x(), p.y()});
+  for (const Vec2& p : outline) points.insert(points.end(), {p.x(), p.y()});
   group.write(name, points, {outline.size(), 2}, {"outer units", {"x", "y"}});
 }
 

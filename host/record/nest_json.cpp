@@ -83,7 +83,7 @@ json to_json(const nest::Layers& layers) {
 json to_json(const NestLandscape& landscape, const NestResult& result) {
   json out = common(result);
   const nest::Landscape& map = landscape.map;
-  const nest::Vec2 at = map.at(map.best());
+  const Vec2 at = map.at(map.best());
   out["centroids"] = {map.nx, map.ny};
   out["rotations"] = result.config.rotations;
   out["inside"] = map.inside;

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "mesh/make/prism.hpp"
 #include "nest/decide/exact.hpp"
 #include "run/nest_parts.hpp"
 #include "stopwatch.hpp"
@@ -24,9 +25,9 @@ int directions_for(int rotations) {
 nest::CertifiedScale certify(const NestLandscape& found, double tolerance) {
   const nest::Landscape& map = found.map;
   const double tall = 8 * map.step * std::max(map.nx, map.ny), flat = 1e-3 * tall;
-  const nest::Nesting nesting(nest::prism(found.outlines.outer, tall),
-                              nest::prism(found.outlines.inner, flat));
-  const nest::Vec2 at = map.at(map.best());
+  const nest::Nesting nesting(prism(found.outlines.outer, -tall / 2, tall / 2),
+                              prism(found.outlines.inner, -flat / 2, flat / 2));
+  const Vec2 at = map.at(map.best());
   nest::Placement placement;
   placement.pose.rotation =
       Eigen::AngleAxisd(found.degrees * std::numbers::pi / 180, Vec3::UnitZ()).toRotationMatrix();

@@ -1,8 +1,8 @@
 #include "session/inspect.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <utility>
 
+#include "body/moments.hpp"
 #include "error.hpp"
 #include "mesh/solid/check.hpp"
 #include "problem/problem.hpp"
@@ -49,9 +49,9 @@ kreisel::SolidReport solid_of(const Body& body, const Body& standing) {
   // Moments are per solid mass and length^2; rotating back gives model axes.
   const Eigen::Matrix3d inertia =
       s.mass / body.solid[S1] * length * length * r.transpose() * inertia_about_centre(body.solid) * r;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
-  s.principal = solver.eigenvalues();
-  s.axes = solver.eigenvectors();
+  const PrincipalAxes principal(inertia);
+  s.principal = principal.moments;
+  s.axes = principal.axes;
   s.verdicts = verdicts_of(body, standing);
   return s;
 }

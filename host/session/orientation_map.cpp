@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "geometry/rotation.hpp"
 #include "problem/turned.hpp"
 #include "solve/distance_to_rows.hpp"
 #include "stopwatch.hpp"
@@ -107,17 +108,6 @@ MapSpec map_spec(const RunConfig& config) {
   return spec;
 }
 
-std::vector<Vec3> sphere_directions(int n) {
-  if (n < 1) throw InputError(fmt::format("{} axes; expected 1 or more", n));
-  const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
-  std::vector<Vec3> directions;
-  for (int i = 0; i < n; ++i) {
-    const double z = 1 - (2.0 * i + 1) / n, r = std::sqrt(1 - z * z);
-    directions.emplace_back(r * std::cos(golden_angle * i), r * std::sin(golden_angle * i), z);
-  }
-  return directions;
-}
-
 std::size_t OrientationMap::count(std::size_t at_case, MapAnswer::Status status) const {
   std::size_t n = 0;
   for (std::size_t a = 0; a < axes.size(); ++a) n += at(a, at_case).status == status;
@@ -160,9 +150,8 @@ std::string OrientationMap::command(Place place) const {
   for (const auto& [key, value] : describe(run))
     line += key.find('.') != std::string::npos ? fmt::format(" --set {}", quoted(key + "=" + value))
                                                : fmt::format(" --{} {}", key, quoted(value));
-  const Vec3 &a = axes[place.axis], &p = contacts[place.axis];
-  return line + fmt::format(" --{}={:.9g},{:.9g},{:.9g} --contact={:.9g},{:.9g},{:.9g}",
-                            upright ? "up" : "axis", a[0], a[1], a[2], p[0], p[1], p[2]);
+  return line + fmt::format(" --{}={:.9g} --contact={:.9g}", upright ? "up" : "axis",
+                            fmt::join(axes[place.axis], ","), fmt::join(contacts[place.axis], ","));
 }
 
 OrientationMap map_orientations(Session& session, const MapSpec& spec, const Control& control) {
@@ -173,8 +162,8 @@ OrientationMap map_orientations(Session& session, const MapSpec& spec, const Con
   if (spec.axes.empty()) throw InputError("a map without axes; expected one or more");
   for (const Vec3& axis : spec.axes)
     if (!axis.allFinite() || axis.norm() == 0)
-      throw InputError(fmt::format("axis {},{},{} has no direction; expected a non-zero vector", axis[0],
-                                   axis[1], axis[2]));
+      throw InputError(
+          fmt::format("axis {} has no direction; expected a non-zero vector", fmt::join(axis, ",")));
 
   OrientationMap map;
   map.config = spec.config;

@@ -25,10 +25,6 @@ struct MapSpec {
 /// @throws InputError  it asks for a map by another formulation than quadric
 [[nodiscard]] MapSpec map_spec(const RunConfig& config);
 
-/// n directions, one for about each 4 pi / n of the sphere: equal steps along z, golden angles around it.
-/// [Fibonacci lattice] @throws InputError  n < 1
-[[nodiscard]] std::vector<Vec3> sphere_directions(int n);
-
 /// The answer for one axis and case.
 struct MapAnswer {
   enum Status { undecided, feasible, infeasible } status = undecided;

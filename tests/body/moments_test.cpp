@@ -112,5 +112,16 @@ TEST(Moments, InertiaOfATurnedBoxTurnsWithIt) {
   EXPECT_LE((got - want).cwiseAbs().maxCoeff(), 64 * 0x1p-53 * 3);
 }
 
+TEST(PrincipalAxes, OfATurnedBoxAreItsEdges) {
+  // A cuboid of edges 1, 2, 3: m / 12 (b^2 + c^2) about each, the longest edge with the smallest moment.
+  const Moments box = box_moments(Vec3(1, 2, 3), {1, 2, 3});
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.25, Vec3(1, 0, 0)).toRotationMatrix();
+  const PrincipalAxes principal(inertia_about_centre(transformed(box, turn, Vec3(-1, 4, 2))));
+  EXPECT_LE((principal.moments - Eigen::Vector3d(2.5, 5, 6.5)).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_EQ(principal.nearest_to_z(), 0) << "the longest edge, the least moment";
+  EXPECT_NEAR(std::abs(principal.axes.col(0).dot(turn.col(2))), 1, 1e-12);
+  EXPECT_NEAR(principal.tilt_degrees(), 0.25 * 180 / M_PI, 1e-10);
+}
+
 }  // namespace
 }  // namespace kreisel::core

@@ -34,7 +34,7 @@ TEST(CutPart, MakesTwoSolidHalvesThatAddUpToThePart) {
   for (const double offset : {0.0, 0.7, -2.4, 2.5}) {
     const Eigen::Matrix3d turn = random_rotation(random);
     const MaterialPart part = hollow_box(turn);
-    const Cut plane{3 * turn.col(2), 3 * offset, 0};  // a normal of any length
+    const Plane plane{3 * turn.col(2), 3 * offset};  // a normal of any length
     const std::vector<MaterialPart> halves = cut_part(part, std::vector{plane});
     ASSERT_EQ(halves.size(), 2u);
     EXPECT_EQ(halves[0].name, "upper");
@@ -57,7 +57,7 @@ TEST(CutPart, MakesTwoSolidHalvesThatAddUpToThePart) {
 TEST(CutPart, MakesPiecesOfSeveralPlanes) {
   const MaterialPart part = hollow_box(Eigen::Matrix3d::Identity());
   const std::vector<MaterialPart> pieces =
-      cut_part(part, std::vector{Cut{Vec3::UnitZ(), 0.1, 0}, Cut{Vec3::UnitX(), 0.1, 0}});
+      cut_part(part, std::vector{Plane{Vec3::UnitZ(), 0.1}, Plane{Vec3::UnitX(), 0.1}});
   ASSERT_EQ(pieces.size(), 4u);
   double sum = 0;
   for (const MaterialPart& piece : pieces) {
@@ -73,7 +73,7 @@ TEST(CutPart, AlignsHalvesByPegs) {
   const Eigen::Matrix3d turn = random_rotation(random);
   const MaterialPart part = hollow_box(turn);
   const Pegs pegs{0.2};
-  const std::vector<MaterialPart> parts = cut_part(part, std::vector{Cut{turn.col(2), 0.4, 0}}, pegs);
+  const std::vector<MaterialPart> parts = cut_part(part, std::vector{Plane{turn.col(2), 0.4}}, pegs);
   ASSERT_EQ(parts.size(), 4u);
   EXPECT_EQ(parts[2].name, "peg-1");
   double sum = 0;
@@ -93,14 +93,14 @@ TEST(CutPart, AlignsHalvesByPegs) {
 
 TEST(CutPart, RefusesPegsThatHaveNoRoom) {
   const MaterialPart part = hollow_box(Eigen::Matrix3d::Identity());
-  const std::vector<Cut> two = {Cut{Vec3::UnitZ(), 0.1, 0}, Cut{Vec3::UnitX(), 0.1, 0}};
+  const std::vector<Plane> two = {Plane{Vec3::UnitZ(), 0.1}, Plane{Vec3::UnitX(), 0.1}};
   EXPECT_THROW((void)cut_part(part, std::span(two).first(1), Pegs{0.4}), InputError);
   EXPECT_THROW((void)cut_part(part, two, Pegs{0.3}), InputError);
 }
 
 TEST(CutPart, RefusesAPlaneThatMisses) {
   EXPECT_THROW(
-      (void)cut_part(hollow_box(Eigen::Matrix3d::Identity()), std::vector{Cut{Vec3::UnitZ(), 4.5, 0}}),
+      (void)cut_part(hollow_box(Eigen::Matrix3d::Identity()), std::vector{Plane{Vec3::UnitZ(), 4.5}}),
       InputError);
 }
 
@@ -116,7 +116,7 @@ TEST(CutInHalves, LeavesEachHalfItsOwnVoid) {
                         inverted(box({-0.5, -2, -3}, {0.5, 2, at + 0.1}))};
   const Pegs pegs{0.2};
   const std::vector<MaterialPart> parts =
-      cut_in_halves(box({-2, -3, -4}, {2, 3, 4}), voids, {turn.col(2), at, 0}, 2, pegs);
+      cut_in_halves(box({-2, -3, -4}, {2, 3, 4}), voids, {turn.col(2), at}, 2, pegs);
   ASSERT_EQ(parts.size(), 4u);
   for (const MaterialPart& each : parts) {
     EXPECT_NO_THROW(require_solid(each.surfaces[0], each.name));
@@ -130,7 +130,7 @@ TEST(CutInHalves, LeavesEachHalfItsOwnVoid) {
 
 TEST(CutInHalves, RefusesAPlaneThatMisses) {
   const TriangleMesh solid = box_mesh(Vec3::Zero(), Vec3::Ones());
-  EXPECT_THROW((void)cut_in_halves(solid, {}, {Vec3::UnitZ(), 2, 0}, 1), InputError);
+  EXPECT_THROW((void)cut_in_halves(solid, {}, {Vec3::UnitZ(), 2}, 1), InputError);
 }
 
 }  // namespace

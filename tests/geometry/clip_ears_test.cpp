@@ -11,7 +11,7 @@
 namespace kreisel::core {
 namespace {
 
-using Points = std::vector<Point2>;
+using Points = std::vector<Vec2>;
 
 std::vector<std::uint32_t> count_to(std::size_t n) {
   std::vector<std::uint32_t> all(n);
@@ -31,7 +31,7 @@ void expect_filled(const Points& points, const std::vector<std::uint32_t>& polyg
     sum += twice_area(points, t);
     for (const std::uint32_t v : t) used[v] = true;
   }
-  for (const Point2& p : points) size = std::max({size, std::abs(p[0]), std::abs(p[1])});
+  for (const Vec2& p : points) size = std::max({size, std::abs(p[0]), std::abs(p[1])});
   for (const std::uint32_t v : polygon) EXPECT_TRUE(used[v]) << v;
   // Each product of two coordinates is rounded a few times.
   EXPECT_NEAR(sum, twice_area(points, polygon), 16 * double(polygon.size()) * 0x1p-53 * size * size);

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "body/test_meshes.hpp"
+#include "geometry/fill_polygon.hpp"
 #include "geometry/predicates.hpp"
 
 namespace kreisel::core {
@@ -22,17 +23,17 @@ std::vector<std::uint32_t> counted(std::size_t n) {
   return loop;
 }
 
-double area(const std::vector<Point2>& points, const Triangles& triangles) {
+double area_of(const std::vector<Vec2>& points, const Triangles& triangles) {
   double sum = 0;
-  for (const auto& t : triangles) sum += twice_area(points, t) / 2;
+  for (const auto& t : triangles) sum += area(polygon_of(points, t));
   return sum;
 }
 
 /// Is d inside the circle through a triangle? By the determinant of the lifted points.
-bool in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+bool in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   Eigen::Matrix3d m;
   int row = 0;
-  for (const Point2* p : {&a, &b, &c}) {
+  for (const Vec2* p : {&a, &b, &c}) {
     const double x = (*p)[0] - d[0], y = (*p)[1] - d[1];
     m.row(row++) << x, y, x * x + y * y;
   }
@@ -41,31 +42,30 @@ bool in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& 
 
 TEST(FlipDelaunay, LeavesNoCornerOfAConvexRegionInAnyCircle) {
   Random random(11);
-  std::vector<Point2> points;
+  std::vector<Vec2> points;
   for (int i = 0; i < 60; ++i) {
     const double angle = 2 * std::numbers::pi * (i + uniform(random, 0, 0.9)) / 60;
-    points.push_back({2 * std::cos(angle), std::sin(angle)});
+    points.emplace_back(2 * std::cos(angle), std::sin(angle));
   }
   const Triangles found = fill_polygon(points, {counted(points.size())});
   ASSERT_EQ(found.size(), points.size() - 2);
   for (const auto& t : found)
-    for (const Point2& p : points) EXPECT_FALSE(in_circle(points[t[0]], points[t[1]], points[t[2]], p));
+    for (const Vec2& p : points) EXPECT_FALSE(in_circle(points[t[0]], points[t[1]], points[t[2]], p));
 }
 
 TEST(FlipDelaunay, MakesNoSliverOfPointsAlongARim) {
   // A frame whose rims bulge by less than any file's precision, as the cut of a flat wall does.
-  std::vector<Point2> points;
+  std::vector<Vec2> points;
   std::vector<std::vector<std::uint32_t>> loops(2);
   constexpr int n = 40;
   const auto add = [&](std::vector<std::uint32_t>& loop, double half, bool turned) {
-    const Point2 corners[] = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+    const Vec2 corners[] = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
     for (int side = 0; side < 4; ++side)
       for (int i = 0; i < n; ++i) {
-        const Point2 &a = corners[side], &b = corners[(side + 1) % 4];
+        const Vec2 &a = corners[side], &b = corners[(side + 1) % 4];
         const double t = double(i) / n, bulge = 1e-9 * t * (1 - t);
         loop.push_back(std::uint32_t(points.size()));
-        points.push_back(
-            {(a[0] + t * (b[0] - a[0])) * (1 + bulge), (a[1] + t * (b[1] - a[1])) * (1 + bulge)});
+        points.push_back((a + t * (b - a)) * (1 + bulge));
       }
     if (turned) std::ranges::reverse(loop);
   };
@@ -73,24 +73,24 @@ TEST(FlipDelaunay, MakesNoSliverOfPointsAlongARim) {
   add(loops[1], 7, true);
   const Triangles found = fill_polygon(points, loops);
   EXPECT_EQ(found.size(), points.size());  // vertices - 2 + 2 a hole
-  EXPECT_NEAR(area(points, found), 400 - 196, 1e-6);
+  EXPECT_NEAR(area_of(points, found), 400 - 196, 1e-6);
   for (const auto& t : found) {
     EXPECT_GT(orient2d(points[t[0]], points[t[1]], points[t[2]]), 0);
     double longest = 0;
     for (int k = 0; k < 3; ++k) {
-      const Point2 &a = points[t[std::size_t(k)]], &b = points[t[std::size_t(k + 1) % 3]];
+      const Vec2 &a = points[t[std::size_t(k)]], &b = points[t[std::size_t(k + 1) % 3]];
       longest = std::max(longest, std::hypot(b[0] - a[0], b[1] - a[1]));
     }
-    EXPECT_GT(twice_area(points, t) / longest, 0.1) << "height of a triangle";
+    EXPECT_GT(2 * area(polygon_of(points, t)) / longest, 0.1) << "height of a triangle";
   }
 }
 
 TEST(FlipDelaunay, KeepsTheRim) {
   // A star: most better edges would leave it.
-  std::vector<Point2> points;
+  std::vector<Vec2> points;
   for (int i = 0; i < 20; ++i) {
     const double r = i % 2 ? 0.2 : 1, angle = std::numbers::pi * i / 10;
-    points.push_back({r * std::cos(angle), r * std::sin(angle)});
+    points.emplace_back(r * std::cos(angle), r * std::sin(angle));
   }
   const Triangles found = fill_polygon(points, {counted(20)});
   std::set<std::pair<std::uint32_t, std::uint32_t>> sides;

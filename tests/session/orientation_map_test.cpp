@@ -36,26 +36,6 @@ class Map : public ::testing::Test {
   const TemporaryFolder folder_;
 };
 
-TEST(SphereDirections, AreSpreadEvenly) {
-  for (const int n : {1, 2, 7, 500}) {
-    const std::vector<Vec3> directions = sphere_directions(n);
-    ASSERT_EQ(directions.size(), static_cast<std::size_t>(n));
-    for (const Vec3& d : directions) EXPECT_NEAR(d.norm(), 1, 4 * 0x1p-52);
-  }
-  const std::vector<Vec3> many = sphere_directions(500);
-  // The mean of a direction is zero, of its square 1/3 of one; the lattice misses both by some 1/n.
-  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
-  Vec3 mean = Vec3::Zero();
-  for (const Vec3& d : many) mean += d / 500, square += d * d.transpose() / 500;
-  EXPECT_LE(mean.norm(), 2.0 / 500);
-  EXPECT_LE((square - Eigen::Matrix3d::Identity() / 3).cwiseAbs().maxCoeff(), 2.0 / 500);
-  // No two nearer than half the distance in a hexagonal packing, sqrt(8 pi / (sqrt(3) n)).
-  for (std::size_t i = 0; i < many.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      EXPECT_GE((many[i] - many[j]).norm(), 0.5 * std::sqrt(8 * M_PI / (std::sqrt(3.0) * 500)));
-  EXPECT_THROW((void)sphere_directions(0), InputError);
-}
-
 TEST_F(Map, AlongTheDomainsOwnAxisIsThePlainRun) {
   for (const char* problem : {"spin", "float"}) {
     RunConfig config;

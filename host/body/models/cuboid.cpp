@@ -1,10 +1,7 @@
-#include <fmt/format.h>
-
 #include <cmath>
 #include <map>
 
 #include "body/models/shapes.hpp"
-#include "error.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -31,9 +28,7 @@ class Numbering {
 }  // namespace
 
 TriangleMesh cuboid_shape(int fineness) {
-  constexpr int finest = 1000;
-  if (fineness < 1 || fineness > finest)
-    throw InputError(fmt::format("fineness {}, expected 1 to {}", fineness, finest));
+  require_fineness(fineness, 1000);
   // 216 k^2 triangles: two for each square of 10 / k mm.
   const int k = std::max(1, int(std::lround(std::sqrt(20.0 / 216) * fineness)));
   TriangleMesh mesh;

@@ -1,13 +1,11 @@
 #include "body/models/geodesic.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "error.hpp"
+#include "body/models/shapes.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -104,8 +102,7 @@ void divide(const Triangle& face, int n, Numbering& number, std::vector<Triangle
 }  // namespace
 
 TriangleMesh geodesic_sphere(int frequency) {
-  if (frequency < 1 || frequency > max_frequency)
-    throw InputError(fmt::format("fineness {}, expected 1 to {}", frequency, max_frequency));
+  require_fineness(frequency, max_frequency);
   const std::array<Vec3, 12> corners = icosahedron_corners();
   TriangleMesh mesh;
   const auto n = std::size_t(frequency);

@@ -1,10 +1,10 @@
 #include "body/models/implicit_mesh.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "geometry/triangle.hpp"
 #include "mesh/make/march.hpp"
 
 namespace kreisel::core {
@@ -48,8 +48,7 @@ void even_out(TriangleMesh& mesh) {
   std::vector<Vec3> sum(mesh.vertices.size(), Vec3::Zero()), normal = sum;
   std::vector<int> count(mesh.vertices.size(), 0);
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-    const Vec3 twice_area = (b - a).cross(c - a);
+    const Vec3 twice_area = normal_of(mesh, t);
     for (std::size_t k = 0; k < 3; ++k) {
       normal[t[k]] += twice_area;
       sum[t[k]] += mesh.vertices[t[(k + 1) % 3]];  // every neighbour once: the triangles around close up

@@ -1,7 +1,6 @@
 #include "body/models/revolve.hpp"
 
-#include <cmath>
-#include <numbers>
+#include "geometry/polygon.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -29,11 +28,8 @@ TriangleMesh revolve(const std::vector<Ring>& rings) {
   std::uint32_t below = 0;
   for (std::size_t r = 0; r < rings.size(); ++r) {
     const auto first = std::uint32_t(mesh.vertices.size());
-    for (int i = 0; i < rings[r].count; ++i) {
-      const double angle = 2 * std::numbers::pi * i / rings[r].count;
-      mesh.vertices.emplace_back(rings[r].radius * std::cos(angle), rings[r].radius * std::sin(angle),
-                                 rings[r].z);
-    }
+    for (const Vec2& p : circle(Vec2::Zero(), rings[r].radius, rings[r].count))
+      mesh.vertices.emplace_back(p[0], p[1], rings[r].z);
     if (r > 0) stitch(below, rings[r - 1].count, first, rings[r].count, mesh);
     below = first;
   }

@@ -5,6 +5,9 @@
 
 namespace kreisel::core {
 
+/// @throws InputError  not from 1 to `finest`
+void require_fineness(int fineness, int finest);
+
 /// Ellipsoid in a box of 60 x 39 x 38.25 mm with its corner at the origin, its long axis tilted by 6 degrees
 /// about y: the lowest point lies 3 mm from the vertical through the centroid, so the solid cannot spin on
 /// it. In a grid of 80 x 52 x 51 cells it holds about the voxel and column counts of [RayRep, table 2].

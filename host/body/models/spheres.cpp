@@ -1,12 +1,9 @@
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
 #include "body/models/revolve.hpp"
 #include "body/models/shapes.hpp"
-#include "error.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -28,9 +25,7 @@ void add_rings(std::vector<Ring>& rings, double centre, double from, double to, 
 }  // namespace
 
 TriangleMesh spheres_shape(int fineness) {
-  constexpr int finest = 9000;  // the counts stay in 32 bits
-  if (fineness < 1 || fineness > finest)
-    throw InputError(fmt::format("fineness {}, expected 1 to {}", fineness, finest));
+  require_fineness(fineness, 9000);  // the counts stay in 32 bits
   // Six vertices more a ring up to the equator make even triangles round a pole; 35 k^2 triangles in all.
   const int k = std::max(1, int(std::lround(0.75 * fineness)));
   const double quarter = std::numbers::pi / 2, seam = std::acos(spacing / 2 / radius);  // from the axis

@@ -1,11 +1,8 @@
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
 #include "body/models/shapes.hpp"
-#include "error.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -44,9 +41,7 @@ Vec3 carried(const Vec3& v, const Vec3& step, const Vec3& from, const Vec3& to) 
 }  // namespace
 
 TriangleMesh woven_ring_shape(int fineness) {
-  constexpr int finest = 4000;
-  if (fineness < 1 || fineness > finest)
-    throw InputError(fmt::format("fineness {}, expected 1 to {}", fineness, finest));
+  require_fineness(fineness, 4000);
   const int around = std::max(6, int(std::lround(0.65 * fineness)));
   const int along = 15 * std::max(fineness, 12);  // fewer would cut the bends so short that strands touch
   const auto at = [&](int i) { return 2 * std::numbers::pi * i / along; };

@@ -16,7 +16,6 @@ namespace kreisel::core {
 namespace {
 
 using Corners = std::span<const std::uint32_t>;
-using Point2 = std::array<double, 2>;
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// Normal of the best plane, of twice the area that the outline has when it is seen along it [Newell].
@@ -30,10 +29,10 @@ Vec3 normal_of(const std::vector<Vec3>& vertices, Corners face) {
 
 /// The corners without the axis that the plane is least along, counter-clockwise: coordinates stay exact, so
 /// that what lies on a straight line does so here.
-std::vector<Point2> dropped(const std::vector<Vec3>& vertices, Corners face, const Vec3& normal) {
+std::vector<Vec2> dropped(const std::vector<Vec3>& vertices, Corners face, const Vec3& normal) {
   int axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
-  std::vector<Point2> points;
+  std::vector<Vec2> points;
   for (const std::uint32_t v : face) {
     points.push_back(drop(vertices[v], axis));
     if (normal[axis] < 0) std::swap(points.back()[0], points.back()[1]);
@@ -43,9 +42,9 @@ std::vector<Point2> dropped(const std::vector<Vec3>& vertices, Corners face, con
 
 /// The corners on the plane itself: a face that is far from plane may cross itself along an axis and not
 /// here.
-std::vector<Point2> projected(const std::vector<Vec3>& vertices, Corners face, const Vec3& normal) {
+std::vector<Vec2> projected(const std::vector<Vec3>& vertices, Corners face, const Vec3& normal) {
   const Vec3 z = normal.normalized(), x = z.unitOrthogonal(), y = z.cross(x);
-  std::vector<Point2> points;
+  std::vector<Vec2> points;
   for (const std::uint32_t v : face) {
     const Vec3 p = vertices[v] - vertices[face[0]];
     points.push_back({p.dot(x), p.dot(y)});
@@ -55,11 +54,11 @@ std::vector<Point2> projected(const std::vector<Vec3>& vertices, Corners face, c
 
 /// Has the polygon a corner to the left at every point, by more than round-off, and is it once around? A fan
 /// about a straight side would have triangles without area.
-bool clearly_convex(const std::vector<Point2>& points) {
+bool clearly_convex(const std::vector<Vec2>& points) {
   constexpr double least_sine = 1e-9;
   const std::size_t n = points.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const Point2 &a = points[i], &b = points[(i + 1) % n], &c = points[(i + 2) % n];
+    const Vec2 &a = points[i], &b = points[(i + 1) % n], &c = points[(i + 2) % n];
     const double ux = b[0] - a[0], uy = b[1] - a[1], vx = c[0] - b[0], vy = c[1] - b[1];
     if (!(ux * vy - uy * vx > least_sine * std::hypot(ux, uy) * std::hypot(vx, vy))) return false;
   }
@@ -78,7 +77,7 @@ Triangles fan(std::size_t corners) {
 std::optional<Triangles> fill(const std::vector<Vec3>& vertices, Corners face) {
   const Vec3 normal = normal_of(vertices, face);
   if (!(normal.squaredNorm() > 0) || !normal.allFinite()) return std::nullopt;
-  const std::vector<Point2> exact = dropped(vertices, face, normal);
+  const std::vector<Vec2> exact = dropped(vertices, face, normal);
   if (clearly_convex(exact)) return fan(face.size());
   std::vector<std::uint32_t> outline(face.size());
   for (std::uint32_t k = 0; k < outline.size(); ++k) outline[k] = k;

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "geometry/polygon.hpp"
 #include "geometry/triangle_pair.hpp"
 #include "parallel.hpp"
 
@@ -12,7 +13,6 @@ namespace kreisel::core {
 namespace {
 
 using Face = std::array<Vec3, 3>;
-using Loop = std::vector<std::uint32_t>;
 
 /// How near to the rim of its face a vertex may lie, as a share of the face: nearer ones make slivers.
 constexpr double margin = 1e-2;

@@ -124,18 +124,18 @@ TriangleMesh above_plane(const TriangleMesh& solid, double height, std::span<con
   std::vector<Loop> rings;
   for (const BlindHole& hole : holes) {
     Loop& ring = rings.emplace_back();
-    for (const Point2& p : hole.polygon) {
+    for (const Vec2& p : hole.polygon) {
       ring.push_back(static_cast<std::uint32_t>(out.vertices.size()));
       const Vec3 at(p[0], p[1], cut.height());
       out.vertices.push_back(written.rounded ? written.rounded(at) : at);
     }
   }
-  std::vector<Point2> flat;
-  for (const Vec3& v : out.vertices) flat.push_back(written.flat ? written.flat(v) : Point2{v[1], v[0]});
+  Polygon flat;
+  for (const Vec3& v : out.vertices) flat.push_back(written.flat ? written.flat(v) : Vec2(v[1], v[0]));
   for (const Loop& ring : rings) {
     if (ring.empty()) continue;
     const auto around = std::ranges::count_if(
-        sections, [&](const Loop& loop) { return inside_loop(flat, loop, flat[ring.front()]); });
+        sections, [&](const Loop& loop) { return contains(polygon_of(flat, loop), flat[ring.front()]); });
     if (around % 2 == 0)
       throw InputError("a hole in the cut of the mesh would lie in air; expected material all around it");
     loops.push_back(ring);

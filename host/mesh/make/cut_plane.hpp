@@ -12,8 +12,8 @@ namespace kreisel::core {
 
 /// A blind hole from the cut upwards: a prism over a polygon.
 struct BlindHole {
-  std::vector<Point2> polygon;  ///< counter-clockwise seen from above; empty: none
-  double depth = 0;             ///< > 0
+  Polygon polygon;   ///< counter-clockwise seen from above; empty: none
+  double depth = 0;  ///< > 0
 };
 
 /// The part of a solid above the plane z = height, closed by a flat cap, with a blind hole in it. The plane
@@ -30,7 +30,7 @@ struct WrittenAs {
   std::function<Vec3(const Vec3&)> rounded;
   /// Two of the written coordinates of such a corner, those across which the cap keeps its area, in the order
   /// in which it is seen from below.
-  std::function<Point2(const Vec3&)> flat;
+  std::function<Vec2(const Vec3&)> flat;
 };
 
 /// The same with several holes, which must not touch each other. One without a polygon is none.

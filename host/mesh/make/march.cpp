@@ -121,9 +121,8 @@ void cut_all(const CubicLattice& lattice, const std::vector<std::uint8_t>& insid
 }  // namespace
 
 CubicLattice::CubicLattice(const Box& box, double cell) : half_(cell / 2) {
-  const Vec3 middle = (box.lo + box.hi) / 2;
   for (int a = 0; a < 3; ++a) n_[a] = 2 * (int(std::ceil(box.extent()[a] / cell)) + 2) + 1;
-  origin_ = middle - half_ / 2 * (n_ - Index::Ones()).cast<double>();
+  origin_ = box.centre() - half_ / 2 * (n_ - Index::Ones()).cast<double>();
 }
 
 TriangleMesh march(const CubicLattice& lattice, const std::vector<std::uint8_t>& inside,
@@ -143,13 +142,10 @@ TriangleMesh march(const CubicLattice& lattice, const std::vector<std::uint8_t>&
   TriangleMesh mesh;
   std::vector<std::uint8_t> second(cutter.edges.size());
   mesh.vertices.resize(cutter.edges.size());
-  constexpr std::size_t chunk = 512;
-  parallel_for((mesh.vertices.size() + chunk - 1) / chunk, [&](std::size_t c) {
-    for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, mesh.vertices.size()); ++i) {
-      const TwoPieces::Point point = surface.place(cutter.edges[i].in, cutter.edges[i].out);
-      mesh.vertices[i] = point.at;
-      second[i] = point.second;
-    }
+  parallel_for(mesh.vertices.size(), 512, [&](std::size_t i) {
+    const TwoPieces::Point point = surface.place(cutter.edges[i].in, cutter.edges[i].out);
+    mesh.vertices[i] = point.at;
+    second[i] = point.second;
   });
 
   const auto& v = mesh.vertices;

@@ -41,8 +41,8 @@ void refill_ends(TriangleMesh& mesh) {
     });
     auto next = outline({flat.begin(), flat.end()});
     if (flat.empty() || !next) continue;
-    std::vector<Point2> points;  // seen from outside
-    for (const Vec3& p : mesh.vertices) points.push_back(top ? Point2{p[0], p[1]} : Point2{p[1], p[0]});
+    Polygon points;  // seen from outside
+    for (const Vec3& p : mesh.vertices) points.push_back(top ? Vec2(p[0], p[1]) : Vec2(p[1], p[0]));
     const std::vector<Triangle> filled = fill_loops(points, loops_along(std::move(*next)));
     mesh.triangles.erase(flat.begin(), flat.end());
     mesh.triangles.insert(mesh.triangles.end(), filled.begin(), filled.end());

@@ -1,36 +1,12 @@
 #include "mesh/query/distance.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "geometry/distance.hpp"
 #include "mesh/query/embree_scene.hpp"
 
 namespace kreisel::core {
-namespace {
-
-double squared_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 ab = b - a;
-  const double length = ab.squaredNorm();
-  const double t = length > 0 ? std::clamp((p - a).dot(ab) / length, 0.0, 1.0) : 0.0;
-  return (p - (a + t * ab)).squaredNorm();
-}
-
-}  // namespace
-
-double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 n = (b - a).cross(c - a);
-  const double area = n.squaredNorm();
-  if (area > 0) {
-    // Inside the three edge planes the foot of the perpendicular lies in the triangle.
-    const bool above = (b - a).cross(p - a).dot(n) >= 0 && (c - b).cross(p - b).dot(n) >= 0 &&
-                       (a - c).cross(p - c).dot(n) >= 0;
-    if (above) return std::abs((p - a).dot(n)) / std::sqrt(area);
-  }
-  return std::sqrt(
-      std::min({squared_to_segment(p, a, b), squared_to_segment(p, b, c), squared_to_segment(p, c, a)}));
-}
 
 struct SurfaceDistance::Scene {
   explicit Scene(const TriangleMesh& of) : mesh(&of), embree(of) {

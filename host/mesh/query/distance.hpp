@@ -32,7 +32,4 @@ class SurfaceDistance {
   std::unique_ptr<Scene> scene_;
 };
 
-/// Distance from a point to a triangle (closed).
-[[nodiscard]] double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
-
 }  // namespace kreisel::core

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/query/reach.hpp"
+#include "mesh/query/sides.hpp"
 #include "parallel.hpp"
 
 namespace kreisel::core {
@@ -100,32 +101,25 @@ class Band {
 /// Edges as pairs of vertices, each once.
 std::vector<std::array<std::uint32_t, 2>> edges_of(const TriangleMesh& mesh) {
   std::vector<std::array<std::uint32_t, 2>> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b)});
-    }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for_each_edge(sorted_sides(mesh), [&](auto first, auto) { edges.push_back({first->low, first->high}); });
   return edges;
 }
 
-std::vector<std::uint32_t> corners_of(const TriangleMesh& mesh) {
+std::vector<std::uint32_t> used_vertices(const TriangleMesh& mesh) {
   std::vector<bool> used(mesh.vertices.size(), false);
   for (const Triangle& t : mesh.triangles)
     for (const std::uint32_t v : t) used[v] = true;
-  std::vector<std::uint32_t> corners;
+  std::vector<std::uint32_t> vertices;
   for (std::uint32_t v = 0; v < used.size(); ++v)
-    if (used[v]) corners.push_back(v);
-  return corners;
+    if (used[v]) vertices.push_back(v);
+  return vertices;
 }
 
 }  // namespace
 
 void remove_shell(const TriangleMesh& mesh, double wall, const LineRaster& raster,
                   std::vector<std::vector<Span>>& lines) {
-  const auto corners = corners_of(mesh);
+  const auto corners = used_vertices(mesh);
   const auto edges = edges_of(mesh);
   const auto& v = mesh.vertices;
   const std::size_t bands = static_cast<std::size_t>((raster.ny + band_rows - 1) / band_rows);

@@ -62,7 +62,7 @@ void inspect_vertices(const TriangleMesh& mesh, const std::vector<Side>& sides, 
 /// Tetrahedra against the centre of the box, so that a solid far from the origin keeps its digits.
 void inspect_volume(const TriangleMesh& mesh, MeshReport& report) {
   const Box box = bounding_box(mesh);
-  const Vec3 centre = 0.5 * (box.lo + box.hi);
+  const Vec3 centre = box.centre();
   double sum = 0, absolute = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3 p = mesh.vertices[a] - centre, q = mesh.vertices[b] - centre, r = mesh.vertices[c] - centre;
@@ -81,8 +81,7 @@ void inspect_volume(const TriangleMesh& mesh, MeshReport& report) {
 
 std::string edge_text(const TriangleMesh& mesh, const EdgeFault& fault) {
   const Vec3 &a = mesh.vertices[fault.first[0]], &b = mesh.vertices[fault.first[1]];
-  return fmt::format("({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})", a.x(), a.y(), a.z(), b.x(),
-                     b.y(), b.z());
+  return fmt::format("({:.6g}) to ({:.6g})", fmt::join(a, ", "), fmt::join(b, ", "));
 }
 
 }  // namespace
@@ -110,9 +109,8 @@ void require_solid(const TriangleMesh& mesh, std::string_view name) {
     const Vec3& p = mesh.vertices[mesh.triangles[*r.first_repeated][0]];
     throw InputError(
         fmt::format("{}: degenerate triangles that use a vertex twice: {}, the first is number {} at "
-                    "({:.6g}, {:.6g}, {:.6g}); "
-                    "expected three different vertices each",
-                    name, r.repeated_count, *r.first_repeated + 1, p.x(), p.y(), p.z()));
+                    "({:.6g}); expected three different vertices each",
+                    name, r.repeated_count, *r.first_repeated + 1, fmt::join(p, ", ")));
   }
   refuse_edges(r.crowded, "edges of more than two triangles", "two triangles at every edge");
   refuse_edges(r.open, "open edges", "a watertight mesh, two triangles at every edge");

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "geometry/predicates.hpp"
+#include "geometry/triangle.hpp"
 #include "mesh/query/sides.hpp"
 
 namespace kreisel::core {
@@ -27,13 +28,9 @@ void measure(const TriangleMesh& mesh, Shell& shell) {
   const auto corner = [&](std::uint32_t t, std::size_t k) -> const Vec3& {
     return mesh.vertices[mesh.triangles[t][k]];
   };
-  shell.box = {corner(shell.triangles.front(), 0), corner(shell.triangles.front(), 0)};
   for (const std::uint32_t t : shell.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      shell.box.lo = shell.box.lo.cwiseMin(corner(t, k));
-      shell.box.hi = shell.box.hi.cwiseMax(corner(t, k));
-    }
-  const Vec3 centre = 0.5 * (shell.box.lo + shell.box.hi);  // far from the origin digits would cancel
+    for (std::size_t k = 0; k < 3; ++k) shell.box.add(corner(t, k));
+  const Vec3 centre = shell.box.centre();  // far from the origin digits would cancel
   for (const std::uint32_t t : shell.triangles)
     shell.volume += (corner(t, 0) - centre).dot((corner(t, 1) - centre).cross(corner(t, 2) - centre)) / 6;
 }
@@ -41,7 +38,7 @@ void measure(const TriangleMesh& mesh, Shell& shell) {
 /// Does a ray in direction +z from p cross the triangle? p counts as moved a little towards +x and still less
 /// towards +y, so that a ray through an edge crosses exactly one of the two triangles there.
 bool crosses(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const std::array<double, 2> q = drop(p, 2);
+  const Vec2 q = drop(p, 2);
   const std::array<const Vec3*, 3> corner{&a, &b, &c};
   int winding = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -58,8 +55,7 @@ bool crosses(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
 bool encloses(const TriangleMesh& mesh, const Shell& shell, const Vec3& p) {
   bool inside = false;
   for (const std::uint32_t t : shell.triangles) {
-    const auto& [i, j, k] = mesh.triangles[t];
-    const Vec3 &a = mesh.vertices[i], &b = mesh.vertices[j], &c = mesh.vertices[k];
+    const auto [a, b, c] = corners_of(mesh, mesh.triangles[t]);
     if (std::max({a.y(), b.y(), c.y()}) < p.y() || std::min({a.y(), b.y(), c.y()}) > p.y()) continue;
     if (std::max({a.x(), b.x(), c.x()}) < p.x() || std::max({a.z(), b.z(), c.z()}) < p.z()) continue;
     if (crosses(p, a, b, c)) inside = !inside;
@@ -69,21 +65,8 @@ bool encloses(const TriangleMesh& mesh, const Shell& shell, const Vec3& p) {
 
 /// The middle of the largest triangle: a point that no other shell touches, where shells only touch at edges.
 Vec3 point_of(const TriangleMesh& mesh, const Shell& shell) {
-  Vec3 middle = Vec3::Zero();
-  double largest = -1;
-  for (const std::uint32_t t : shell.triangles) {
-    const auto& [i, j, k] = mesh.triangles[t];
-    const Vec3 &a = mesh.vertices[i], &b = mesh.vertices[j], &c = mesh.vertices[k];
-    const double area = (b - a).cross(c - a).squaredNorm();
-    if (area <= largest) continue;
-    largest = area;
-    middle = (a + b + c) / 3;
-  }
-  return middle;
-}
-
-bool within(const Box& inner, const Box& outer) {
-  return (inner.lo.array() >= outer.lo.array()).all() && (inner.hi.array() <= outer.hi.array()).all();
+  const auto size = [&](std::uint32_t t) { return normal_of(mesh, mesh.triangles[t]).squaredNorm(); };
+  return middle_of(mesh, mesh.triangles[*std::ranges::max_element(shell.triangles, {}, size)]);
 }
 
 }  // namespace
@@ -124,7 +107,7 @@ std::vector<std::vector<std::uint32_t>> enclosing_shells(const TriangleMesh& mes
   for (std::size_t i = 0; i < shells.size(); ++i) {
     const Vec3 p = point_of(mesh, shells[i]);
     for (std::uint32_t j = 0; j < shells.size(); ++j)
-      if (i != j && within(shells[i].box, shells[j].box) && encloses(mesh, shells[j], p))
+      if (i != j && shells[i].box.within(shells[j].box) && encloses(mesh, shells[j], p))
         enclosing[i].push_back(j);
   }
   return enclosing;

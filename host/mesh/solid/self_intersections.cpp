@@ -56,7 +56,7 @@ void judge(void* user, RTCCollision* candidates, unsigned count) {
 
 void number(const TriangleMesh& mesh, Search& search) {
   const Box box = bounding_box(mesh);
-  search.centre = 0.5 * (box.lo + box.hi);
+  search.centre = box.centre();
   const double size = box.extent().maxCoeff();
   search.scale = size > 0 ? 1 / size : 1;
   const std::vector<std::uint32_t> first = first_equal_vertex(mesh.vertices);

@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 
 #include "error.hpp"
+#include "geometry/triangle.hpp"
 #include "mesh/solid/check.hpp"
 
 namespace kreisel::core {
 namespace {
 
 std::string middle_text(const TriangleMesh& mesh, std::uint32_t triangle) {
-  const auto& [a, b, c] = mesh.triangles[triangle];
-  const Vec3 p = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3;
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
+  return fmt::format("({:.6g})", fmt::join(middle_of(mesh, mesh.triangles[triangle]), ", "));
 }
 
 /// repaired() turns triangles wherever that helps; what is left then has no two sides.

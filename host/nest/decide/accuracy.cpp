@@ -1,9 +1,6 @@
 #include "nest/decide/accuracy.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "nest/decide/bisection.hpp"
 #include "nest/decide/envelope.hpp"
@@ -11,6 +8,7 @@
 #include "nest/decide/hybrid.hpp"
 #include "nest/decide/peel.hpp"
 #include "nest/decide/random.hpp"
+#include "statistics.hpp"
 
 namespace kreisel::core::nest {
 namespace {
@@ -37,12 +35,9 @@ class Draw {
     const double x = next(), y = next(), z = next();
     return Vec3(x, y, z) - Vec3::Constant(0.5);
   }
-  /// Uniform over all rotations. [Shoemake 1992, Uniform random rotations, Graphics Gems III]
   Eigen::Matrix3d rotation() {
-    const double share = next(), a = 2 * std::numbers::pi * next(), b = 2 * std::numbers::pi * next();
-    const double r = std::sqrt(1 - share), s = std::sqrt(share);
-    return Eigen::Quaterniond(s * std::cos(b), r * std::sin(a), r * std::cos(a), s * std::sin(b))
-        .toRotationMatrix();
+    const double u = next(), v = next(), w = next();
+    return uniform_rotation(u, v, w).toRotationMatrix();
   }
 
   double next() { return uniform(seed_, drawn_++); }
@@ -50,19 +45,18 @@ class Draw {
   std::uint64_t seed_, drawn_ = 0;
 };
 
-SampledError summary(int resolution, std::vector<double> errors, int missed, double tolerance) {
+SampledError summary(int resolution, const std::vector<double>& errors, int missed, double tolerance) {
   SampledError out;
   out.resolution = resolution;
   out.missed = missed;
   if (errors.empty()) return out;
-  std::sort(errors.begin(), errors.end());
   for (const double e : errors) {
     out.optimistic += e > tolerance;
     out.pessimistic += e < -tolerance;
   }
-  out.median = errors[errors.size() / 2];
-  out.most_of = errors[errors.size() * 95 / 100];
-  out.largest = errors.back();
+  out.median = quantile(errors, 0.5);
+  out.most_of = quantile(errors, 0.95);
+  out.largest = std::ranges::max(errors);
   return out;
 }
 

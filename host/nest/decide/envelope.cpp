@@ -24,7 +24,7 @@ int bands_for(const device::Device& device, int tiles) {
 }  // namespace
 
 Envelope::Envelope(device::Device& device, const Nesting& nesting, int resolution)
-    : views_(device, nesting, resolution), raster_(views_.raster()) {
+    : Sampled(device, nesting, resolution), raster_(views_.raster()) {
   const int wanted = bands_for(device, raster_.tiles);
   raster_.band = (raster_.tiles + wanted - 1) / wanted;
   raster_.bands = (raster_.tiles + raster_.band - 1) / raster_.band;
@@ -61,24 +61,13 @@ Verdict Envelope::draw() {
   return {};
 }
 
-Verdict Envelope::check(const Placement& placement) {
-  const Verdict verdict = views_.project(placement);
-  return verdict.valid() ? draw() : verdict;
-}
-
-FaultMap Envelope::map(const Placement& placement) {
-  if (!views_.project(placement).valid()) return {};
-  FaultMap map(2 * views_.pixels());
-  device::Device& device = views_.device();
-  device::checked("reading the bad pixels", [&] {
-    map_ = cl::Buffer(device.context(), CL_MEM_READ_WRITE, map.size());
-    device.queue().enqueueFillBuffer(map_, cl_uchar{NEST_GOOD}, 0, map.size());
-    raster_.map = 1;
-    (void)draw();
-    raster_.map = 0;
-    device.queue().enqueueReadBuffer(map_, CL_TRUE, 0, map.size(), map.data());
-  });
-  return map;
+void Envelope::draw_map() {
+  const cl::CommandQueue& queue = views_.device().queue();
+  map_ = cl::Buffer(views_.device().context(), CL_MEM_READ_WRITE, 2 * views_.pixels());
+  queue.enqueueFillBuffer(map_, cl_uchar{NEST_GOOD}, 0, 2 * views_.pixels());
+  raster_.map = 1;
+  (void)draw();
+  raster_.map = 0;
 }
 
 }  // namespace kreisel::core::nest

@@ -7,25 +7,20 @@ namespace kreisel::core::nest {
 
 /// Valid unless some pixel has max w_B >= min w_A, no A, or a front-facing nearest A: the same answer as
 /// peeling, to the pixel, from one pass over the triangles. docs/nesting.md has the proof and the accuracy.
-class Envelope : public Feasibility {
+class Envelope : public Sampled {
  public:
-  /// @throws InputError  resolution out of range
-  /// @throws device::Error  the device refuses
   Envelope(device::Device& device, const Nesting& nesting, int resolution);
 
   [[nodiscard]] std::string_view name() const override { return "envelope"; }
-  using Feasibility::check;
-  /// The first bad pixel is that of the lowest row, then the lowest x, of half 0, else of half 1.
-  [[nodiscard]] Verdict check(const Placement& placement) override;
-  [[nodiscard]] FaultMap map(const Placement& placement);
 
  private:
-  Verdict draw();
+  /// The first bad pixel is that of the lowest row, then the lowest x, of half 0, else of half 1.
+  Verdict draw() override;
+  void draw_map() override;
 
-  Views views_;
   NestRaster raster_;
   int in_flight_;  ///< items of a launch
-  cl::Buffer depth_, bad_, map_;
+  cl::Buffer depth_, bad_;
   cl::Kernel kernel_;
 };
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "mesh/query/sides.hpp"
@@ -14,28 +13,26 @@
 namespace kreisel::core::nest {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// A triangle in a half's coordinates.
 struct Seen {
   std::array<Vec3, 3> corner;
-  Vec3 lo, hi;
+  Box box;
 };
 
 /// The triangles of a mesh with a point beyond the cut or on it. @param index  of each in the mesh
 template <class Map>
-std::vector<Seen> seen_of(const TriangleMesh& mesh, const HalfFrame& frame, const Map& map) {
+std::vector<Seen> seen_of(const TriangleMesh& mesh, const HalfView& frame, const Map& map) {
   std::vector<Vec3> at(mesh.vertices.size());
   std::vector<double> beyond(at.size());
   for (std::size_t i = 0; i < at.size(); ++i) {
     at[i] = frame.into(map(mesh.vertices[i]));
-    beyond[i] = frame.beyond(at[i]);
+    beyond[i] = frame.cut.above(at[i]);
   }
   std::vector<Seen> seen;
   for (const Triangle& t : mesh.triangles) {
     if (beyond[t[0]] < 0 && beyond[t[1]] < 0 && beyond[t[2]] < 0) continue;
-    const Vec3 &p = at[t[0]], &q = at[t[1]], &r = at[t[2]];
-    seen.push_back({{p, q, r}, p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r)});
+    const std::array<Vec3, 3> corner = {at[t[0]], at[t[1]], at[t[2]]};
+    seen.push_back({corner, bounding_box(corner)});
   }
   return seen;
 }
@@ -44,14 +41,13 @@ std::vector<Seen> seen_of(const TriangleMesh& mesh, const HalfFrame& frame, cons
 class Cells {
  public:
   Cells(const std::vector<Seen>& a, const std::vector<Seen>& b) : a_(&a) {
-    lo_ = Vec3::Constant(infinity), hi_ = -lo_;
-    for (const Seen& t : b) lo_ = lo_.cwiseMin(t.lo), hi_ = hi_.cwiseMax(t.hi);
+    for (const Seen& t : b) box_.add(t.box.lo), box_.add(t.box.hi);
     n_ = std::clamp(int(std::sqrt(double(b.size()))), 1, 1024);
-    size_ = std::max({hi_[0] - lo_[0], hi_[1] - lo_[1], 1e-9}) / n_;
+    size_ = std::max({box_.extent()[0], box_.extent()[1], 1e-9}) / n_;
     std::vector<std::uint32_t> count(std::size_t(n_) * std::size_t(n_) + 1);
     const auto each = [&](auto&& visit) {
       for (std::uint32_t i = 0; i < a.size(); ++i)
-        if (overlap(a[i])) for_each_cell(a[i], [&](std::size_t cell) { visit(cell, i); });
+        if (in_the_way(a[i].box, box_)) for_each_cell(a[i], [&](std::size_t cell) { visit(cell, i); });
     };
     each([&](std::size_t cell, std::uint32_t) { ++count[cell + 1]; });
     for (std::size_t c = 1; c < count.size(); ++c) count[c] += count[c - 1];
@@ -63,17 +59,16 @@ class Cells {
   /// Calls visit(triangle of A) once for each that may meet what t sweeps, until one returns true.
   template <class Visit>
   bool any(const Seen& t, Visit&& visit) const {
-    const int x0 = cell(t.lo, 0), x1 = cell(t.hi, 0), y0 = cell(t.lo, 1), y1 = cell(t.hi, 1);
+    const auto& [lo, hi] = t.box;
+    const int x0 = cell(lo, 0), x1 = cell(hi, 0), y0 = cell(lo, 1), y1 = cell(hi, 1);
     for (int y = y0; y <= y1; ++y)
       for (int x = x0; x <= x1; ++x) {
         const std::size_t at = std::size_t(y) * std::size_t(n_) + std::size_t(x);
         for (std::uint32_t k = first_[at]; k < first_[at + 1]; ++k) {
           const Seen& u = (*a_)[triangles_[k]];
-          if (u.lo[2] > t.hi[2] || u.lo[0] > t.hi[0] || u.hi[0] < t.lo[0] || u.lo[1] > t.hi[1] ||
-              u.hi[1] < t.lo[1])
-            continue;
+          if (!in_the_way(u.box, t.box)) continue;
           // Only in the first cell that both reach.
-          if (std::max(x0, cell(u.lo, 0)) != x || std::max(y0, cell(u.lo, 1)) != y) continue;
+          if (std::max(x0, cell(u.box.lo, 0)) != x || std::max(y0, cell(u.box.lo, 1)) != y) continue;
           if (visit(u)) return true;
         }
       }
@@ -81,22 +76,23 @@ class Cells {
   }
 
  private:
-  [[nodiscard]] bool overlap(const Seen& u) const {
-    return u.lo[0] <= hi_[0] && u.hi[0] >= lo_[0] && u.lo[1] <= hi_[1] && u.hi[1] >= lo_[1] &&
-           u.lo[2] <= hi_[2];
+  /// Whether boxes overlap, seen along the direction, and that of A does not begin beyond the other.
+  [[nodiscard]] static bool in_the_way(const Box& a, const Box& b) {
+    return a.lo[2] <= b.hi[2] && a.lo[0] <= b.hi[0] && a.hi[0] >= b.lo[0] && a.lo[1] <= b.hi[1] &&
+           a.hi[1] >= b.lo[1];
   }
   [[nodiscard]] int cell(const Vec3& p, int axis) const {
-    return int(std::clamp((p[axis] - lo_[axis]) / size_, 0.0, double(n_ - 1)));
+    return int(std::clamp((p[axis] - box_.lo[axis]) / size_, 0.0, double(n_ - 1)));
   }
   template <class Visit>
   void for_each_cell(const Seen& u, Visit&& visit) const {
-    for (int y = cell(u.lo, 1); y <= cell(u.hi, 1); ++y)
-      for (int x = cell(u.lo, 0); x <= cell(u.hi, 0); ++x)
+    for (int y = cell(u.box.lo, 1); y <= cell(u.box.hi, 1); ++y)
+      for (int x = cell(u.box.lo, 0); x <= cell(u.box.hi, 0); ++x)
         visit(std::size_t(y) * std::size_t(n_) + std::size_t(x));
   }
 
   const std::vector<Seen>* a_;
-  Vec3 lo_, hi_;
+  Box box_;  ///< of b
   double size_;
   int n_;
   std::vector<std::uint32_t> first_, triangles_;
@@ -104,8 +100,7 @@ class Cells {
 
 /// A point of A's surface that the sweep of T(B) meets in this half, and the triangle of `b` above it.
 std::optional<std::pair<std::size_t, Vec3>> first_meeting(const std::vector<Seen>& a,
-                                                          const std::vector<Seen>& b,
-                                                          const HalfFrame& frame) {
+                                                          const std::vector<Seen>& b, const HalfView& frame) {
   if (a.empty() || b.empty()) return std::nullopt;
   const Cells cells(a, b);
   constexpr std::size_t chunk = 256;
@@ -165,7 +160,7 @@ Verdict Exact::check(const Placement& placement) {
     return placement.pose.scale * (placement.pose.rotation * x) + placement.pose.centroid;
   };
   for (int half = 0; half < 2; ++half) {
-    const HalfFrame frame(placement.cut, half);
+    const HalfView frame = view_of(placement.cut, half);
     const auto a = seen_of(nesting_->outer(), frame, [](const Vec3& x) -> Vec3 { return x; });
     const auto b = seen_of(nesting_->inner(), frame, map);
     if (const auto met = first_meeting(a, b, frame)) {

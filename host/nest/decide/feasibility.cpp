@@ -64,8 +64,8 @@ std::string to_string(const Verdict& verdict, const Nesting& nesting) {
   if (verdict.valid()) return in_words(verdict.fault);
   const Vec3 at = nesting.to_file(verdict.point);
   const std::string pixel = verdict.x < 0 ? "" : fmt::format(", pixel {},{}", verdict.x, verdict.y);
-  return fmt::format("invalid: {} at {:.6g},{:.6g},{:.6g} (half {}{})", in_words(verdict.fault), at[0], at[1],
-                     at[2], verdict.half == 0 ? "plus" : "minus", pixel);
+  return fmt::format("invalid: {} at {:.6g} (half {}{})", in_words(verdict.fault), fmt::join(at, ","),
+                     verdict.half == 0 ? "plus" : "minus", pixel);
 }
 
 std::vector<Verdict> Feasibility::check(std::span<const Placement> placements) {

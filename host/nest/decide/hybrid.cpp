@@ -44,7 +44,7 @@ class Hybrid::Descent {
         placement_(&placement),
         way_(hybrid.rays_, placement),
         scale_(placement.pose.scale),
-        frames_{HalfFrame(placement.cut, 0), HalfFrame(placement.cut, 1)} {}
+        frames_{view_of(placement.cut, 0), view_of(placement.cut, 1)} {}
 
   /// Whether B nests at its own scale.
   Verdict check() {
@@ -173,11 +173,11 @@ class Hybrid::Descent {
   /// the end
   template <class Met>
   bool pass(Met&& met) {
-    const HalfFrame& frame = frames_[half_];
+    const HalfView& frame = frames_[half_];
     turn_ = frame.axes * placement_->pose.rotation;
     shift_ = frame.into(placement_->pose.centroid);
-    view_ = {frame.axes.cast<float>(),   turn_.cast<float>(), shift_.cast<float>(),
-             frame.normal.cast<float>(), float(frame.offset), float(1 / frame.normal.z())};
+    view_ = {frame.axes.cast<float>(),       turn_.cast<float>(),     shift_.cast<float>(),
+             frame.cut.normal.cast<float>(), float(frame.cut.offset), float(1 / frame.cut.normal.z())};
     const auto &nodes_a = hybrid_->outer_.nodes(), &nodes_b = hybrid_->inner_.nodes();
     stack_.assign(1, {0, 0, view_.axes * nodes_a[0].centre, view_.turn * nodes_b[0].centre});
     while (!stack_.empty()) {
@@ -236,7 +236,7 @@ class Hybrid::Descent {
   const Placement* placement_;
   WayOut way_;
   double scale_, step_ = 0, enough_ = 0;
-  HalfFrame frames_[2];
+  HalfView frames_[2];
   int half_ = 0;
   Eigen::Matrix3d turn_;
   Vec3 shift_;

@@ -20,8 +20,7 @@ struct Bulk {
 
 Bulk bulk_of(const TriangleMesh& mesh) {
   Bulk bulk;
-  const Box box = bounding_box(mesh);
-  const Vec3 centre = 0.5 * (box.lo + box.hi);
+  const Vec3 centre = bounding_box(mesh).centre();
   for (const Triangle& t : mesh.triangles) {
     const Vec3 a = mesh.vertices[t[0]] - centre, b = mesh.vertices[t[1]] - centre,
                c = mesh.vertices[t[2]] - centre;
@@ -49,8 +48,8 @@ void require_mesh(const TriangleMesh& mesh, const char* name) {
     throw InputError(fmt::format("{} mesh has no triangles; expected one at least", name));
   for (const Vec3& v : mesh.vertices)
     if (!v.allFinite())
-      throw InputError(fmt::format("{} mesh has a vertex at {}, {}, {}; expected finite coordinates", name,
-                                   v[0], v[1], v[2]));
+      throw InputError(
+          fmt::format("{} mesh has a vertex at {}; expected finite coordinates", name, fmt::join(v, ", ")));
   for (const Triangle& t : mesh.triangles)
     for (const std::uint32_t i : t)
       if (i >= mesh.vertices.size())
@@ -78,15 +77,15 @@ void require_bulk(const Bulk& bulk, const Box& box, std::size_t triangles) {
 
 void require_unit(const Vec3& v, const char* name) {
   if (!v.allFinite() || std::abs(v.norm() - 1) > 1e-6)
-    throw InputError(fmt::format("{} {:.6g},{:.6g},{:.6g} has length {:.6g}; expected 1", name, v[0], v[1],
-                                 v[2], v.norm()));
+    throw InputError(
+        fmt::format("{} {:.6g} has length {:.6g}; expected 1", name, fmt::join(v, ","), v.norm()));
 }
 
 }  // namespace
 
 Cut Cut::through(const Vec3& point, const Vec3& normal) {
   const Vec3 n = normal.normalized();
-  return {n, n.dot(point), n, -n};
+  return {{n, n.dot(point)}, n, -n};
 }
 
 void require_valid(const Placement& placement) {
@@ -127,7 +126,7 @@ Nesting::Nesting(TriangleMesh outer, TriangleMesh inner)
   const Box box = bounding_box(outer_), inner_box = bounding_box(inner_);
   const Bulk bulk = bulk_of(outer_), inner_bulk = bulk_of(inner_);
   require_bulk(bulk, box, outer_.triangles.size());
-  centre_ = 0.5 * (box.lo + box.hi);
+  centre_ = box.centre();
   outer_centroid_ = bulk.volume_centroid;
   unit_ = 0.5 * box.extent().norm();
   const double inner_volume = std::abs(inner_bulk.volume);

@@ -1,9 +1,7 @@
 // nesting.hpp - one shape in another, a cut, and the ways out.
 #pragma once
 
-#include <Eigen/Core>
-
-#include "geometry/triangle_mesh.hpp"
+#include "geometry/plane.hpp"
 
 namespace kreisel::core::nest {
 
@@ -18,20 +16,18 @@ struct Pose {
   double scale = 1;
 };
 
-/// The plane normal . x = offset cuts A in two. The half above it (normal . x > offset) leaves along `plus`,
-/// the half below along `minus`.
-struct Cut {
-  Vec3 normal = Vec3::UnitZ();  ///< unit length, as the directions
-  double offset = 0;
+/// The plane, its normal of unit length as the directions, cuts A in two. The half above it leaves along
+/// `plus`, the half below along `minus`.
+struct Cut : Plane {
   Vec3 plus = Vec3::UnitZ(), minus = -Vec3::UnitZ();
 
   /// Through a point, both halves leaving along the normal.
   [[nodiscard]] static Cut through(const Vec3& point, const Vec3& normal);
   [[nodiscard]] const Vec3& removal(int half) const { return half == 0 ? plus : minus; }
-  /// How far a point lies beyond the plane on the side of half 0 (plus) or 1 (minus).
-  [[nodiscard]] double beyond(int half, const Vec3& x) const {
-    return half == 0 ? normal.dot(x) - offset : offset - normal.dot(x);
-  }
+  /// The plane seen from half 0 (plus) or 1 (minus): that half lies above.
+  [[nodiscard]] Plane into(int half) const { return half == 0 ? Plane(*this) : reversed(); }
+  /// How far a point lies beyond the plane on the side of a half.
+  [[nodiscard]] double beyond(int half, const Vec3& x) const { return half == 0 ? above(x) : -above(x); }
 };
 
 /// All that decides whether B nests in A.

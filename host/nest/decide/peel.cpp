@@ -28,7 +28,7 @@ void require_memory(const device::Device& device, std::size_t pixels, int resolu
 }  // namespace
 
 Peel::Peel(device::Device& device, const Nesting& nesting, int resolution)
-    : views_(device, nesting, resolution), raster_(views_.raster()) {
+    : Sampled(device, nesting, resolution), raster_(views_.raster()) {
   require_memory(device, views_.pixels(), resolution);
   const cl::Program program = device::build(device, "nest_peel");
   draw_depth_ = cl::Kernel(program, "nest_peel_depth");
@@ -44,11 +44,6 @@ Peel::Peel(device::Device& device, const Nesting& nesting, int resolution)
   });
   views_.set_arguments(draw_depth_, 1);
   views_.set_arguments(draw_colour_, 1);
-}
-
-Verdict Peel::check(const Placement& placement) {
-  const Verdict verdict = views_.project(placement);
-  return verdict.valid() ? peel(false) : verdict;
 }
 
 Verdict Peel::peel(bool whole) {
@@ -101,16 +96,6 @@ Verdict Peel::fault_at(int half, int pixel, int layer) const {
   queue.enqueueReadBuffer(depth_[fault == NEST_SWEPT ? now : 1 - now], CL_TRUE, at * sizeof key, sizeof key,
                           &key);
   return views_.fault_at(Fault(fault), half, pixel, double(depth_of(key)));
-}
-
-FaultMap Peel::map(const Placement& placement) {
-  if (!views_.project(placement).valid()) return {};
-  (void)peel(true);
-  FaultMap map(2 * views_.pixels());
-  device::checked("reading the bad pixels", [&] {
-    views_.device().queue().enqueueReadBuffer(map_, CL_TRUE, 0, map.size(), map.data());
-  });
-  return map;
 }
 
 }  // namespace kreisel::core::nest

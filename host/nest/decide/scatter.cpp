@@ -9,7 +9,7 @@
 namespace kreisel::core::nest {
 
 Scatter::Scatter(device::Device& device, const Nesting& nesting, int resolution)
-    : views_(device, nesting, resolution) {
+    : Sampled(device, nesting, resolution) {
   const cl::Program program = device::build(device, "nest_scatter");
   scatter_ = cl::Kernel(program, "nest_scatter");
   rules_ = cl::Kernel(program, "nest_scatter_rules");
@@ -58,21 +58,6 @@ Verdict Scatter::draw() {
     }
     return {};
   });
-}
-
-Verdict Scatter::check(const Placement& placement) {
-  const Verdict verdict = views_.project(placement);
-  return verdict.valid() ? draw() : verdict;
-}
-
-FaultMap Scatter::map(const Placement& placement) {
-  if (!views_.project(placement).valid()) return {};
-  (void)draw();
-  FaultMap map(2 * views_.pixels());
-  device::checked("reading the bad pixels", [&] {
-    views_.device().queue().enqueueReadBuffer(map_, CL_TRUE, 0, map.size(), map.data());
-  });
-  return map;
 }
 
 }  // namespace kreisel::core::nest

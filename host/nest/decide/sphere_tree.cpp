@@ -1,9 +1,10 @@
 #include "nest/decide/sphere_tree.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include "geometry/triangle.hpp"
 
 namespace kreisel::core::nest {
 namespace {
@@ -25,10 +26,7 @@ class Builder {
  public:
   explicit Builder(const TriangleMesh& mesh) : mesh_(&mesh), order_(mesh.triangles.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
-    for (const Triangle& t : mesh.triangles) {
-      const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-      pieces_.push_back({(a + b + c) / 3, (b - a).cross(c - a)});
-    }
+    for (const Triangle& t : mesh.triangles) pieces_.push_back({middle_of(mesh, t), normal_of(mesh, t)});
   }
 
   std::vector<SphereTree::Node> nodes() {
@@ -62,10 +60,11 @@ class Builder {
   }
 
   [[nodiscard]] SphereTree::Node around(const Part& part) const {
-    Vec3 lo = Vec3::Constant(INFINITY), hi = -lo, area = Vec3::Zero();
-    each_corner(part, [&](const Vec3& v) { lo = lo.cwiseMin(v), hi = hi.cwiseMax(v); });
+    Box box;
+    Vec3 area = Vec3::Zero();
+    each_corner(part, [&](const Vec3& v) { box.add(v); });
     for (std::uint32_t i = part.first; i < part.last; ++i) area += pieces_[order_[i]].area;
-    const Vec3 centre = 0.5 * (lo + hi),
+    const Vec3 centre = box.centre(),
                normal = area.norm() > 0 ? Vec3(area.normalized()) : Vec3(Vec3::UnitZ());
     double radius = 0, least = INFINITY, most = -INFINITY;
     each_corner(part, [&](const Vec3& v) {
@@ -84,13 +83,10 @@ class Builder {
 
   /// In two halves across the longest side of the box of the middles.
   std::uint32_t divide(const Part& part) {
-    Vec3 lo = Vec3::Constant(INFINITY), hi = -lo;
-    for (std::uint32_t i = part.first; i < part.last; ++i) {
-      const Vec3& m = pieces_[order_[i]].middle;
-      lo = lo.cwiseMin(m), hi = hi.cwiseMax(m);
-    }
+    Box box;
+    for (std::uint32_t i = part.first; i < part.last; ++i) box.add(pieces_[order_[i]].middle);
     int axis = 0;
-    (hi - lo).maxCoeff(&axis);
+    box.extent().maxCoeff(&axis);
     const std::uint32_t split = part.first + (part.last - part.first) / 2;
     std::nth_element(order_.begin() + part.first, order_.begin() + split, order_.begin() + part.last,
                      [&](std::uint32_t i, std::uint32_t j) {

@@ -1,24 +1,15 @@
 #include "nest/decide/swept_pair.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
 #include <utility>
 
+#include "geometry/triangle.hpp"
+
 namespace kreisel::core::nest {
 
-HalfFrame::HalfFrame(const Cut& cut, int half) {
-  const Vec3& removal = cut.removal(half);
-  const Vec3 u = removal.unitOrthogonal();
-  axes << u.transpose(), removal.cross(u).transpose(), removal.transpose();
-  const double sign = half == 0 ? 1 : -1;
-  normal = sign * (axes * cut.normal);
-  offset = sign * cut.offset;
-}
-
-SweptTriangle::SweptTriangle(const HalfFrame& frame, const Vec3& p, const Vec3& q, const Vec3& r) {
+SweptTriangle::SweptTriangle(const HalfView& view, const Vec3& p, const Vec3& q, const Vec3& r) {
   const std::array<Vec3, 3> corner{p, q, r};
-  Vec3 normal = (q - p).cross(r - p);
+  const Vec3 normal = normal_of(p, q, r);
   const double turn = normal.z() < 0 ? -1 : 1;
   edge_on_ = normal.z() == 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -26,7 +17,7 @@ SweptTriangle::SweptTriangle(const HalfFrame& frame, const Vec3& p, const Vec3& 
     sides_[k] = {Vec3(-along.y(), along.x(), 0), corner[k]};
   }
   sides_[3] = {-turn * normal, p};
-  sides_[4] = {frame.normal, frame.offset * frame.normal};
+  sides_[4] = {view.cut.normal, view.cut.offset * view.cut.normal};
 }
 
 std::optional<Vec3> SweptTriangle::common_point(const Vec3& a, const Vec3& b, const Vec3& c) const {

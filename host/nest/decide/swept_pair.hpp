@@ -7,24 +7,17 @@
 
 namespace kreisel::core::nest {
 
-/// Coordinates of one half: two across its removal direction, then depth along it.
-struct HalfFrame {
-  Eigen::Matrix3d axes;  ///< rows; right-handed
-  Vec3 normal;           ///< of the cut in these coordinates, away from the other half
-  double offset;
-
-  HalfFrame(const Cut& cut, int half);
-  [[nodiscard]] Vec3 into(const Vec3& x) const { return axes * x; }
-  [[nodiscard]] Vec3 out_of(const Vec3& x) const { return axes.transpose() * x; }
-  [[nodiscard]] double beyond(const Vec3& x) const { return normal.dot(x) - offset; }
-};
+/// Coordinates of one half.
+[[nodiscard]] inline HalfView view_of(const Cut& cut, int half) {
+  return {cut.into(half), cut.removal(half)};
+}
 
 /// What a triangle T of T(B) sweeps on the way to the cut: every x beyond the plane with x + t a in T for
 /// some t >= 0. A prism with a slanting top, closed. [Nest, s. 3]
 class SweptTriangle {
  public:
   /// Corners in the half's coordinates.
-  SweptTriangle(const HalfFrame& frame, const Vec3& p, const Vec3& q, const Vec3& r);
+  SweptTriangle(const HalfView& view, const Vec3& p, const Vec3& q, const Vec3& r);
 
   /// Whether it is seen edge-on: then it sweeps no more than the edges it shares with its neighbours, and is
   /// left to them.

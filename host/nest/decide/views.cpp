@@ -96,11 +96,9 @@ NestView arguments_of(const View& view, const Placement& placement) {
 
 }  // namespace
 
-View::View(const Nesting& nesting, const Vec3& removal, int resolution) {
-  const Vec3 u = removal.unitOrthogonal();
-  axes << u.transpose(), removal.cross(u).transpose(), removal.transpose();
+View::View(const Nesting& nesting, const Vec3& removal, int resolution) : axes(axes_along(removal)) {
   const Box& box = nesting.outer_box();
-  const Vec3 centre = axes * (0.5 * (box.lo + box.hi));
+  const Vec3 centre = axes * box.centre();
   const Vec3 half = axes.cwiseAbs() * (0.5 * box.extent());
   const double reach = std::max(half[0], half[1]);
   x0 = centre[0] - reach;
@@ -171,6 +169,21 @@ Verdict Views::project(const Placement& placement) {
     if (i == 0 || p.squaredNorm() > point.squaredNorm()) point = p;
   }
   return {Fault::outside, placement.cut.beyond(0, point) >= 0 ? 0 : 1, point};
+}
+
+Verdict Sampled::check(const Placement& placement) {
+  const Verdict verdict = views_.project(placement);
+  return verdict.valid() ? draw() : verdict;
+}
+
+FaultMap Sampled::map(const Placement& placement) {
+  if (!views_.project(placement).valid()) return {};
+  FaultMap map(2 * views_.pixels());
+  device::checked("reading the bad pixels", [&] {
+    draw_map();
+    views_.device().queue().enqueueReadBuffer(map_, CL_TRUE, 0, map.size(), map.data());
+  });
+  return map;
 }
 
 Verdict Views::fault_at(Fault fault, int half, int pixel, double w) const {

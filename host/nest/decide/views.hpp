@@ -53,4 +53,26 @@ class Views {
 /// Why each pixel is bad, of half 0 and then of half 1; x fastest. Empty when B leaves a view.
 using FaultMap = std::vector<std::uint8_t>;
 
+/// A test of the pixels of both views.
+class Sampled : public Feasibility {
+ public:
+  using Feasibility::check;
+  [[nodiscard]] Verdict check(const Placement& placement) override;
+  [[nodiscard]] FaultMap map(const Placement& placement);
+
+ protected:
+  /// @throws InputError  resolution out of range
+  /// @throws device::Error  the device refuses
+  Sampled(device::Device& device, const Nesting& nesting, int resolution)
+      : views_(device, nesting, resolution) {}
+
+  /// Of the placement that was projected last: its first bad pixel.
+  virtual Verdict draw() = 0;
+  /// The same with all of them in map_, a byte each.
+  virtual void draw_map() = 0;
+
+  Views views_;
+  cl::Buffer map_;
+};
+
 }  // namespace kreisel::core::nest

@@ -6,6 +6,8 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "error.hpp"
 #include "parallel.hpp"
@@ -39,9 +41,8 @@ PlaneShapes plane_shapes(Polygon outer, Polygon inner) {
                       polygon->size()));
   const Vec2 centre = centroid(inner);
   for (Vec2& p : inner) p -= centre;
-  bool inside = false;
-  for (const OpenPart& part : open_to(inner, 0)) inside = inside || (part.x0 < 0 && 0 < part.x1);
-  if (!inside) throw InputError("the inner shape's centroid lies outside it; expected it inside");
+  if (!contains(inner, Vec2::Zero()))
+    throw InputError("the inner shape's centroid lies outside it; expected it inside");
   return {std::move(outer), std::move(inner)};
 }
 
@@ -156,32 +157,55 @@ std::size_t Landscape::best() const {
   return static_cast<std::size_t>(std::ranges::max_element(scale) - scale.begin());
 }
 
-Landscape landscape(const PlaneShapes& shapes, const LandscapeSpec& spec,
-                    const std::function<bool(int done, int rows)>& go_on) {
+namespace {
+
+void require_valid(const LandscapeSpec& spec) {
   if (spec.columns < 1 || spec.columns > 4096)
     throw InputError(fmt::format("landscape of {} columns; expected 1 to 4096", spec.columns));
   if (spec.rotations < 1 || spec.rotations > most_directions || spec.directions % spec.rotations)
     throw InputError(fmt::format("{} rotations by {} directions; expected a divisor of them", spec.rotations,
                                  spec.directions));
-  const Stopwatch watch;
-  Vec2 lo = shapes.outer.front(), hi = lo;
-  for (const Vec2& p : shapes.outer) {
-    lo = lo.cwiseMin(p);
-    hi = hi.cwiseMax(p);
-  }
-  Landscape found;
-  found.step = (hi - lo).maxCoeff() / spec.columns;
+}
+
+/// Without its scales: all lie outside.
+Landscape empty_landscape(const PlaneShapes& shapes, const LandscapeSpec& spec) {
+  const auto box = bounding_box(shapes.outer);
+  Landscape map;
+  map.step = box.extent().maxCoeff() / spec.columns;
   const auto cells = [&](int axis) {
-    return std::max(1, static_cast<int>(std::ceil((hi - lo)[axis] / found.step - 1e-9)));
+    return std::max(1, static_cast<int>(std::ceil(box.extent()[axis] / map.step - 1e-9)));
   };
-  found.nx = cells(0);
-  found.ny = cells(1);
-  found.origin = lo + Vec2::Constant(found.step / 2);
-  const auto count = static_cast<std::size_t>(found.nx) * static_cast<std::size_t>(found.ny);
-  found.scale.assign(count, 0);
-  found.rotation.assign(count, 0);
-  const std::vector<Vec2> rays = directions(spec.directions);
+  map.nx = cells(0);
+  map.ny = cells(1);
+  map.origin = box.lo + Vec2::Constant(map.step / 2);
+  const auto count = static_cast<std::size_t>(map.nx) * static_cast<std::size_t>(map.ny);
+  map.scale.assign(count, 0);
+  map.rotation.assign(count, 0);
+  return map;
+}
+
+/// The best rotation of the centroid that the search looks from, and its scale. @param first  to begin with
+std::pair<int, float> best_rotation(PlaneSearch& search, const LandscapeSpec& spec, int first) {
   const int turn = spec.directions / spec.rotations;
+  std::pair<int, float> best{0, 0};
+  // Coarse turns first: the finer ones then have a high floor, and only those about a peak pass it.
+  for (int skip = coarsest(spec.rotations); skip >= 1; skip /= finer)
+    for (int k = 0; k < spec.rotations; k += skip) {
+      const int rotation = (first + k) % spec.rotations;
+      const float scale = search.largest(rotation * turn, spec.abort ? best.second : 0);
+      if (scale > best.second) best = {rotation, scale};
+    }
+  return best;
+}
+
+}  // namespace
+
+Landscape landscape(const PlaneShapes& shapes, const LandscapeSpec& spec,
+                    const std::function<bool(int done, int rows)>& go_on) {
+  require_valid(spec);
+  const Stopwatch watch;
+  Landscape found = empty_landscape(shapes, spec);
+  const Polygon rays = circle(Vec2::Zero(), 1, spec.directions);
   std::atomic<bool> stopped = false;
   std::atomic<int> done = 0;
   std::vector<std::uint64_t> inside(static_cast<std::size_t>(found.ny), 0), descents(inside);
@@ -199,18 +223,7 @@ Landscape landscape(const PlaneShapes& shapes, const LandscapeSpec& spec,
       if (part == parts.end()) continue;
       ++inside[row];
       search.put(part->outline, centroid);
-      float best = 0;
-      // Coarse turns first: the finer ones then have a high floor, and only those about a peak pass it.
-      for (int skip = coarsest(spec.rotations); skip >= 1; skip /= finer)
-        for (int k = 0; k < spec.rotations; k += skip) {
-          const int rotation = (first + k) % spec.rotations;
-          const float scale = search.largest(rotation * turn, spec.abort ? best : 0);
-          if (scale > best) {
-            best = scale;
-            found.rotation[index] = rotation;
-          }
-        }
-      found.scale[index] = best;
+      std::tie(found.rotation[index], found.scale[index]) = best_rotation(search, spec, first);
       first = found.rotation[index];
     }
     descents[row] = search.descents();

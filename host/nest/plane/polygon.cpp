@@ -2,21 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 #include "error.hpp"
-#include "geometry/fill_polygon.hpp"
+#include "geometry/distance.hpp"
 
 namespace kreisel::core::nest {
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Pixels with a margin of one all around.
 class Bitmap {
@@ -142,13 +138,6 @@ Polygon border(const Bitmap& bitmap) {
   return loop;
 }
 
-double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 d = b - a;
-  const double length = d.squaredNorm();
-  const double t = length > 0 ? std::clamp((p - a).dot(d) / length, 0.0, 1.0) : 0.0;
-  return (p - a - t * d).norm();
-}
-
 /// Keeps the vertices that a polyline from `first` to `last` needs to stay within `tolerance` [Douglas,
 /// Peucker 1973].
 void keep_needed(std::span<const Vec2> loop, std::size_t first, std::size_t last, double tolerance,
@@ -157,7 +146,7 @@ void keep_needed(std::span<const Vec2> loop, std::size_t first, std::size_t last
   std::size_t far = 0;
   const Vec2 &a = loop[first], &b = loop[last % loop.size()];
   for (std::size_t i = first + 1; i < last; ++i)
-    if (const double d = distance_to_segment(loop[i], a, b); d > most) {
+    if (const double d = (loop[i] - nearest_on_segment(loop[i], a, b)).norm(); d > most) {
       most = d;
       far = i;
     }
@@ -207,25 +196,6 @@ double height_at(const Vec2& a, const Vec2& b, double x) {
 
 }  // namespace
 
-double area(std::span<const Vec2> polygon) {
-  double twice = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
-  return twice / 2;
-}
-
-Vec2 centroid(std::span<const Vec2> polygon) {
-  Vec2 sum = Vec2::Zero();
-  double twice = 0;
-  const Vec2 origin = polygon.front();  // nearby, for round-off
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 a = polygon[i] - origin, b = polygon[(i + 1) % polygon.size()] - origin;
-    sum += cross(a, b) * (a + b);
-    twice += cross(a, b);
-  }
-  return origin + sum / (3 * twice);
-}
-
 Polygon silhouette(const TriangleMesh& mesh, const Vec3& towards, const Vec3& up, int pixels) {
   if (pixels < 8 || pixels > 8192)
     throw InputError(fmt::format("silhouette of {} pixels; expected 8 to 8192", pixels));
@@ -235,16 +205,12 @@ Polygon silhouette(const TriangleMesh& mesh, const Vec3& towards, const Vec3& up
   const Vec3 x_axis = right.normalized(), y_axis = towards.cross(right).normalized();
   std::vector<Vec2> seen;
   for (const Vec3& v : mesh.vertices) seen.emplace_back(x_axis.dot(v), y_axis.dot(v));
-  Vec2 lo = Vec2::Constant(std::numeric_limits<double>::infinity()), hi = -lo;
-  for (const Vec2& p : seen) {
-    lo = lo.cwiseMin(p);
-    hi = hi.cwiseMax(p);
-  }
-  const double pixel = (hi - lo).maxCoeff() / pixels;
+  const auto box = bounding_box(seen);
+  const double pixel = box.extent().maxCoeff() / pixels;
   if (!(pixel > 0) || !std::isfinite(pixel))
     throw InputError("silhouette of a mesh without extent; expected one");
-  for (Vec2& p : seen) p = (p - lo) / pixel + Vec2::Ones();
-  const auto cells = [&](int axis) { return static_cast<int>(std::ceil((hi - lo)[axis] / pixel)) + 2; };
+  for (Vec2& p : seen) p = (p - box.lo) / pixel + Vec2::Ones();
+  const auto cells = [&](int axis) { return static_cast<int>(std::ceil(box.extent()[axis] / pixel)) + 2; };
   Bitmap bitmap(cells(0), cells(1));
   for (const Triangle& t : mesh.triangles) cover(bitmap, seen[t[0]], seen[t[1]], seen[t[2]]);
   if (!mark_largest(bitmap))
@@ -256,29 +222,8 @@ Polygon silhouette(const TriangleMesh& mesh, const Vec3& towards, const Vec3& up
     result = straightened(loop, tolerance);
     tolerance /= 2;
   } while (crosses_itself(result) && tolerance > 0.01);
-  for (Vec2& p : result) p = lo + pixel * (p - Vec2::Ones());
+  for (Vec2& p : result) p = box.lo + pixel * (p - Vec2::Ones());
   return result;
-}
-
-TriangleMesh prism(std::span<const Vec2> polygon, double height) {
-  std::vector<Point2> points;
-  for (const Vec2& p : polygon) points.push_back({p.x(), p.y()});
-  const auto n = static_cast<std::uint32_t>(points.size());
-  std::vector<std::uint32_t> loop(n);
-  std::iota(loop.begin(), loop.end(), 0u);
-  TriangleMesh mesh;
-  for (const double z : {-height / 2, height / 2})
-    for (const Vec2& p : polygon) mesh.vertices.emplace_back(p.x(), p.y(), z);
-  for (const auto& [a, b, c] : fill_polygon(points, {loop})) {
-    mesh.triangles.push_back({a, c, b});
-    mesh.triangles.push_back({a + n, b + n, c + n});
-  }
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t j = (i + 1) % n;
-    mesh.triangles.push_back({i, j, j + n});
-    mesh.triangles.push_back({i, j + n, i + n});
-  }
-  return mesh;
 }
 
 std::vector<OpenPart> open_to(std::span<const Vec2> polygon, double height) {

@@ -7,15 +7,6 @@
 
 namespace kreisel::core::nest {
 
-std::vector<Vec2> directions(int count) {
-  std::vector<Vec2> all;
-  for (int i = 0; i < count; ++i) {
-    const double angle = 2 * std::numbers::pi * i / count;
-    all.emplace_back(std::cos(angle), std::sin(angle));
-  }
-  return all;
-}
-
 Radial::Radial(const std::vector<Vec2>& directions)
     : directions_(directions),
       slots_(1, std::vector<float>(directions.size())),
@@ -37,7 +28,7 @@ void Radial::see(std::span<const Vec2> polygon, const Vec2& from) {
   for (const Vec2& vertex : polygon) {
     const Vec2 b = vertex - from;
     const int j = first_beyond(b);
-    const double turn = a.x() * b.y() - a.y() * b.x();  // the edge turns this way about the point
+    const double turn = cross(a, b);  // the edge turns this way about the point
     int count = turn > 0 ? j - i : i - j, d = turn > 0 ? i : j;
     if (count < 0) count += n;
     // An edge spans less than half a turn; one that round-off made run backwards none at all.
@@ -46,8 +37,7 @@ void Radial::see(std::span<const Vec2> polygon, const Vec2& from) {
       const double far = std::max(a.norm(), b.norm());  // round-off, where the edge points at the point
       for (; count > 0; --count, d = d + 1 == n ? 0 : d + 1) {
         const Vec2& u = directions_[static_cast<std::size_t>(d)];
-        const auto t =
-            static_cast<float>(std::min(far, std::abs(turn / (u.x() * along.y() - u.y() * along.x()))));
+        const auto t = static_cast<float>(std::min(far, std::abs(turn / cross(u, along))));
         const auto at = static_cast<std::size_t>(d);
         const int have = count_[at]++;
         if (have == 1) several_.push_back(d);

@@ -1,16 +1,9 @@
 // radial.hpp - a polygon as seen from a point: how far its border is in every direction.
 #pragma once
 
-#include <Eigen/Core>
-#include <span>
-#include <vector>
-
-#include "nest/plane/polygon.hpp"
+#include "geometry/polygon.hpp"
 
 namespace kreisel::core::nest {
-
-/// Unit vectors in evenly spaced directions, the first along x.
-[[nodiscard]] std::vector<Vec2> directions(int count);
 
 /// Where the rays from a point cross the border of a polygon. Single precision relative to the point, 1e-7 of
 /// the distances; made anew by see() without allocating.

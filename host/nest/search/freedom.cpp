@@ -24,10 +24,7 @@ Eigen::Quaterniond quaternion_at(std::span<const double> x, std::size_t at) {
 void store(const Vec3& v, std::span<double> x, std::size_t at) { Direction{&x[at]} = v; }
 
 void store(const Eigen::Quaterniond& q, std::span<double> x, std::size_t at) {
-  x[at] = q.w();
-  x[at + 1] = q.x();
-  x[at + 2] = q.y();
-  x[at + 3] = q.z();
+  Eigen::Map<Eigen::Vector4d>(&x[at]) << q.w(), q.x(), q.y(), q.z();
 }
 
 /// The part of a rotation that turns about `axis`; none where it is a half turn about a line across it.

@@ -25,8 +25,8 @@ KeepOuts::KeepOuts(const Nesting& nesting, const std::vector<KeepOut>& balls) {
         for (const std::uint32_t v : triangle) surface.push_back(mesh.vertices[v]);
     if (surface.empty())
       throw InputError(fmt::format(
-          "keep-out at {},{},{} of radius {}: no vertex of the outer shape lies in it; expected one at least",
-          centre.x(), centre.y(), centre.z(), radius));
+          "keep-out at {} of radius {}: no vertex of the outer shape lies in it; expected one at least",
+          fmt::join(centre, ","), radius));
     surfaces_.push_back(std::move(surface));
   }
 }
@@ -35,7 +35,7 @@ bool KeepOuts::touched(const Cut& cut) const {
   return std::ranges::any_of(surfaces_, [&](const std::vector<Vec3>& surface) {
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const Vec3& v : surface) {
-      const double beyond = cut.beyond(0, v);
+      const double beyond = cut.above(v);
       least = std::min(least, beyond);
       most = std::max(most, beyond);
     }

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "error.hpp"
-#include "mesh/make/moved.hpp"
+#include "geometry/moved.hpp"
 #include "mesh/query/distance.hpp"
 #include "mesh/solid/components.hpp"
 #include "nest/decide/certify.hpp"

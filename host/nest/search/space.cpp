@@ -1,15 +1,13 @@
 #include "nest/search/space.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "geometry/rotation.hpp"
 
 namespace kreisel::core::nest {
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
 
 template <int N>
 using Part = Eigen::Map<Eigen::Matrix<double, N, 1>>;
@@ -27,6 +25,8 @@ void normalise(double* x) {
 }
 
 Eigen::Quaterniond quaternion(const double* x) { return {x[0], x[1], x[2], x[3]}; }
+
+void store(const Eigen::Quaterniond& q, double* x) { Part<4>(x) << q.w(), q.x(), q.y(), q.z(); }
 
 }  // namespace
 
@@ -68,12 +68,9 @@ void Space::place(std::span<const double> unit, std::span<double> x) const {
     if (block.kind == Block::number) {
       *at = block.lower + u[0] * (block.upper - block.lower);
     } else if (block.kind == Block::direction) {
-      const double z = 2 * u[0] - 1, r = std::sqrt(std::max(0.0, 1 - z * z));
-      Part<3>(at) << r * std::cos(turn * u[1]), r * std::sin(turn * u[1]), z;
+      Part<3>{at} = uniform_direction(u[0], u[1]);
     } else {
-      const double a = std::sqrt(1 - u[0]), b = std::sqrt(u[0]);
-      Part<4>(at) << b * std::cos(turn * u[2]), a * std::sin(turn * u[1]), a * std::cos(turn * u[1]),
-          b * std::sin(turn * u[2]);
+      store(uniform_rotation(u[0], u[1], u[2]), at);
     }
     u += block.freedom();
     at += block.size();
@@ -93,9 +90,7 @@ void Space::move(std::span<const double> step, std::span<double> x) const {
         Part<3> v(at);
         v = turned * Eigen::Vector3d(v);
       } else {
-        const Eigen::Quaterniond moved = turned * quaternion(at);
-        Part<4> q(at);
-        q << moved.w(), moved.x(), moved.y(), moved.z();
+        store(turned * quaternion(at), at);
       }
     }
     d += block.steps();

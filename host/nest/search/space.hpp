@@ -36,7 +36,7 @@ class Space {
   void towards(std::span<const double> x, std::span<const double> target, std::span<double> out) const;
 
   /// The position that freedom() numbers in [0, 1) stand for; uniform numbers give uniform numbers,
-  /// directions and rotations [Shoemake 1992, Uniform random rotations].
+  /// directions and rotations (rotation.hpp).
   void place(std::span<const double> unit, std::span<double> x) const;
 
   /// x moved by steps() numbers: of a number, in units of its range; of others the axis times the angle in

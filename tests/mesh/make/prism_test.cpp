@@ -14,7 +14,7 @@ namespace {
 TEST(Prism, OverACircleIsASolidOfThePolygonsArea) {
   constexpr int sides = 24;
   const double radius = 2, bottom = -1, top = 3;
-  const TriangleMesh mesh = prism(circle({5, -3}, radius, sides), bottom, top);
+  const TriangleMesh mesh = prism(circle(Vec2(5, -3), radius, sides), bottom, top);
   EXPECT_NO_THROW(require_solid(mesh, "prism"));
   const double area = sides / 2.0 * radius * radius * std::sin(2 * std::numbers::pi / sides);
   const Moments s = reference::mesh_moments(mesh).value;

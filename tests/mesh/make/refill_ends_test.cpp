@@ -12,10 +12,8 @@ namespace {
 
 TEST(RefillEnds, MendsAnEdgeOnTheWrongSideOfACorner) {
   // A dart whose notch comes near to the opposite edge; its end is cut by a fan that does not see the notch.
-  const std::vector<Point2> dart = {{0, 0}, {4, 0}, {4, 3}, {2, 0.5}};
+  const Polygon dart = {{0, 0}, {4, 0}, {4, 3}, {2, 0.5}};
   TriangleMesh mesh = prism(dart, 0, 1);
-  // A prism of a polygon that is not convex: the fan from its first corner is right, one from the second is
-  // not.
   std::erase_if(mesh.triangles, [](const Triangle& t) { return t[0] >= 4 && t[1] >= 4 && t[2] >= 4; });
   mesh.triangles.push_back({5, 6, 7});
   mesh.triangles.push_back({5, 7, 4});
@@ -30,7 +28,7 @@ TEST(RefillEnds, MendsAnEdgeOnTheWrongSideOfACorner) {
 }
 
 TEST(RefillEnds, KeepsHolesAndWhatIsBetween) {
-  const TriangleMesh around = prism({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 0, 2);
+  const TriangleMesh around = prism(Polygon{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 0, 2);
   TriangleMesh mesh = both(around, moved(around, Eigen::Matrix3d::Identity(), {10, 0, 0}));
   const std::size_t triangles = mesh.triangles.size();
   refill_ends(mesh);

@@ -7,6 +7,7 @@
 
 #include "body/models/geodesic.hpp"
 #include "body/test_meshes.hpp"
+#include "mesh/make/prism.hpp"
 #include "nest/decide/hybrid.hpp"
 #include "refusal.hpp"
 
@@ -33,13 +34,6 @@ Polygon disc(int corners) { return star(std::vector<double>(static_cast<std::siz
 Polygon bent() {
   return {{-1, -1},   {1, -1},    {1.1, 0.2}, {2.1, 0.5},  {2.1, 1.9},  {0.1, 2.2}, {0.1, 1.7},
           {1.6, 1.5}, {1.6, 0.9}, {0.8, 0.9}, {-0.2, 1.0}, {-0.9, 2.0}, {-1.2, 0.6}};
-}
-
-TEST(Polygon, HasAreaAndCentroid) {
-  EXPECT_DOUBLE_EQ(area(square(2)), 16);
-  const Polygon triangle = {{100, 0}, {103, 0}, {100, 6}};
-  EXPECT_DOUBLE_EQ(area(triangle), 9);
-  EXPECT_NEAR((centroid(triangle) - Vec2(101, 2)).norm(), 0, 1e-12);
 }
 
 TEST(Silhouette, OfABallIsADiscAndOfABoxARectangle) {
@@ -97,7 +91,7 @@ TEST(OpenTo, IsWhatCanBeReachedStraightFromTheCut) {
 }
 
 TEST(Radial, FindsEveryCrossing) {
-  const std::vector<Vec2> rays = directions(256);
+  const std::vector<Vec2> rays = circle(Vec2::Zero(), 1, 256);
   Radial seen(rays);
   const Vec2 from(0.3, -0.2);
   seen.see(disc(2000), from);
@@ -118,7 +112,7 @@ TEST(Radial, FindsEveryCrossing) {
 
 /// With V of the outer shape at that height.
 float largest(const PlaneShapes& shapes, const Vec2& at, int turn, int rays) {
-  const std::vector<Vec2> all = directions(rays);
+  const std::vector<Vec2> all = circle(Vec2::Zero(), 1, rays);
   PlaneSearch search(shapes, all);
   for (const OpenPart& part : open_to(shapes.outer, at.y()))
     if (part.x0 < at.x() && at.x() < part.x1) {
@@ -157,7 +151,7 @@ TEST_P(BesidePrisms, FindsTheSameScale) {
   constexpr int rays = 1 << 15;
   const PlaneShapes shapes = plane_shapes(GetParam().first, GetParam().second);
   // So long that its ends are out of reach, and so flat that it reaches nowhere.
-  const Nesting nesting(prism(shapes.outer, 20), prism(shapes.inner, 0.01));
+  const Nesting nesting(prism(shapes.outer, -10, 10), prism(shapes.inner, -0.005, 0.005));
   Random random(3);
   Hybrid learned(nesting);  // from one trial for the next
   int nested = 0;

@@ -1,0 +1,23 @@
+#include "statistics.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kreisel::core {
+namespace {
+
+TEST(Statistics, MedianIsTheMiddleOrTheMeanOfBoth) {
+  EXPECT_EQ(median({7}), 7);
+  EXPECT_EQ(median({9, 1, 2}), 2);
+  EXPECT_EQ(median({9, 1, 2, 4}), 3);
+}
+
+TEST(Statistics, QuantilesLieBetweenValuesInProportion) {
+  EXPECT_EQ(quantile({3}, 0.95), 3);
+  EXPECT_EQ(quantile({40, 10, 30, 20}, 0), 10);
+  EXPECT_EQ(quantile({40, 10, 30, 20}, 1), 40);
+  EXPECT_EQ(quantile({40, 10, 30, 20}, 0.5), 25);
+  EXPECT_EQ(quantile({40, 10, 30, 20, 50}, 0.25), 20);
+}
+
+}  // namespace
+}  // namespace kreisel::core
