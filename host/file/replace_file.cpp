@@ -52,7 +52,8 @@ void sweep_stale(const fs::path& path) {
 /// Of the kind that the system opens anew as what it is open as already.
 bool is_open_file(const fs::path& path) {
   const std::string name = path.string();
-  return name.starts_with("/proc/") || name.starts_with("/dev/fd/");
+  return name.starts_with("/dev/fd/") ||
+         (name.starts_with("/proc/") && name.find("/fd/") != std::string::npos);
 }
 
 /// Follows links until `done(path)` or the path is none; gives up on a circle.

@@ -260,7 +260,7 @@ TEST(DigitsOfAFile, AreThoseOfFloatsWhereAllAreFloats) {
   EXPECT_EQ(weld_of({"0.10000000149011612", "1"}, 1), 4 * float_step);
   EXPECT_EQ(weld_of({"3", "0.25", "1.50"}, 3), 2 * 4 * float_step);
   Digits single, twice;
-  for (const double x : {0.5, double(0.1f)}) single.see(x), twice.see(x);
+  for (const double value : {0.5, double(0.1f)}) single.see(value), twice.see(value);
   twice.see(0.1);
   EXPECT_EQ(single.weld(1.99), 4 * float_step);
   EXPECT_EQ(single.weld(100), 64 * 4 * float_step);
