@@ -272,10 +272,12 @@ File File::create(const std::filesystem::path& path) {
   be_quiet();
   const Handle how = access();
   constexpr std::size_t growth = 1 << 20;
-  // In memory: the library does not survive a full disk, it crashes while the program ends.
+  // In memory: the library does not survive a full disk, it crashes while the program ends. By a name that is
+  // not there: it opens what has the name all the same, and a pipe's reader would then see its end.
+  const std::string in_memory = path.string() + ".in-memory";
   Handle file(H5Pset_fapl_core(how.id(), growth, false) < 0
                   ? -1
-                  : H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, how.id()),
+                  : H5Fcreate(in_memory.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, how.id()),
               H5Fclose);
   if (file.id() < 0) fail_in(path.string(), "", "cannot be made in memory");
   return {std::move(file), std::make_shared<const std::string>(path.string())};

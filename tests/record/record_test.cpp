@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <csignal>
@@ -10,6 +11,7 @@
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "error.hpp"
 #include "installed.hpp"
@@ -214,6 +216,18 @@ TEST_F(Record, KeepsTablesWithTheirShapes) {
   const Moments model = r.model_moments(r.outcome.moments);
   EXPECT_EQ(file.group("solve").read("moments_model").values,
             std::vector<double>(model.data(), model.data() + model.size()));
+}
+
+TEST_F(Record, GoesIntoAPipeWhole) {
+  const fs::path pipe = folder_.path / "run.h5", copy = folder_.path / "copy.h5";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::thread reader(
+      [&] { std::ofstream(copy, std::ios::binary) << std::ifstream(pipe, std::ios::binary).rdbuf(); });
+  const RunResult r = made_by_hand();
+  write_record(pipe, r);
+  reader.join();
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_EQ(hdf5::File::open(copy).group("solve").read("x").values, r.outcome.x);
 }
 
 TEST_F(Record, OfTheAngleFormKeepsTheAngle) {

@@ -43,9 +43,10 @@ bool is_corner_list(const Property& p) {
   return p.count_type && (p.name == "vertex_indices" || p.name == "vertex_index");
 }
 
-/// The corners of a face, or those of strips of triangles one after the other, with -1 between strips.
 constexpr std::uint32_t strip_ends = ~0u;
 
+/// The corners of a face; or of strips of triangles one after the other, with `strip_ends` for -1 between
+/// them.
 std::vector<std::uint32_t> read_corners(Numbers& numbers, const Property& property, std::uint64_t vertices,
                                         bool strips) {
   std::vector<std::uint32_t> corners;
