@@ -22,7 +22,7 @@ namespace {
 
 double volume_of(const TriangleMesh& mesh) { return reference::mesh_moments(mesh).value[S1]; }
 
-TriangleMesh turned(const TriangleMesh& mesh, const Eigen::Matrix3d& rotation) {
+TriangleMesh in_frame(const TriangleMesh& mesh, const Eigen::Matrix3d& rotation) {
   return moved(mesh, Eigen::Affine3d(rotation));
 }
 
@@ -113,16 +113,16 @@ Mould mould_of(const TriangleMesh& casting) {
   constexpr Pegs pegs{1.5};
   Mould mould;
   mould.parting = least_undercut(casting);
-  const Sizes sizes(bounding_box(turned(casting, axis_to_z(mould.parting.normal))).extent(), pegs.radius);
+  const Sizes sizes(bounding_box(in_frame(casting, axis_to_z(mould.parting.normal))).extent(), pegs.radius);
   const double least = std::max(0.5, sizes.vent);
   std::vector<Vec3> places;
   for (const double sign : {1.0, -1.0}) {
-    std::vector<Vec3> found = high_places(turned(casting, axis_to_z(sign * mould.parting.normal)), least);
+    std::vector<Vec3> found = high_places(in_frame(casting, axis_to_z(sign * mould.parting.normal)), least);
     if (!places.empty() && found.size() >= places.size()) continue;
     places = std::move(found);
     if (sign < 0) mould.parting.normal *= -1, mould.parting.offset *= -1;
   }
-  const TriangleMesh upright = turned(casting, axis_to_z(mould.parting.normal));
+  const TriangleMesh upright = in_frame(casting, axis_to_z(mould.parting.normal));
   const double top = bounding_box(upright).hi[2] + sizes.head;
   const std::vector<Channel> channels = channels_of(places, sizes, top + 3 * sizes.cell);
   const MaterialPart block = block_around(poured(upright, channels, sizes.cell), sizes, top);
