@@ -86,7 +86,7 @@ class EmbreeRays {
 using Crossings = std::vector<std::vector<Crossing>>;
 
 /// Columns in which Embree finds another number of crossings, or one more than a tenth of a cell away.
-double columns_apart(const Crossings& ours, const Crossings& theirs, double h) {
+double columns_apart(const ColumnCrossings& ours, const Crossings& theirs, double h) {
   double apart = 0;
   for (std::size_t i = 0; i < ours.size(); ++i)
     apart += !std::ranges::equal(ours[i], theirs[i], [&](const Crossing& a, const Crossing& b) {

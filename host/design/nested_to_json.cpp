@@ -1,13 +1,12 @@
 #include <nlohmann/json.hpp>
 
 #include "design/nested.hpp"
+#include "json_list.hpp"
 
 namespace kreisel::core {
 namespace {
 
 using nlohmann::json;
-
-json list(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 json rows(const Eigen::Affine3d& map) {
   json all = json::array();
@@ -29,8 +28,9 @@ json to_json(const NestedLayer& layer) {
       {"gap_mm", layer.gap},
       {"wall_mm", layer.wall},
       {"transform", rows(found.inner_to_world)},
-      {"plane", {{"point", list(found.cut.offset * found.cut.normal)}, {"normal", list(found.cut.normal)}}},
-      {"removal", {{"plus", list(found.cut.plus)}, {"minus", list(found.cut.minus)}}}};
+      {"plane",
+       {{"point", json_list(found.cut.offset * found.cut.normal)}, {"normal", json_list(found.cut.normal)}}},
+      {"removal", {{"plus", json_list(found.cut.plus)}, {"minus", json_list(found.cut.minus)}}}};
 }
 
 json to_json(const NestedPart& part) {
@@ -54,7 +54,7 @@ std::string to_json(const Nested& nested) {
                   {"device", nested.provenance.device},
                   {"repairs", nested.repairs},
                   {"size_mm", nested.size},
-                  {"axis", list(nested.up)},
+                  {"axis", json_list(nested.up)},
                   {"accuracy_mm", config.tolerances.accuracy},
                   {"wall_asked_mm", config.tolerances.wall},
                   {"density", nested.spec.density},

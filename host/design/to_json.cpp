@@ -2,16 +2,13 @@
 #include <nlohmann/json.hpp>
 
 #include "design/design.hpp"
+#include "json_list.hpp"
 
 namespace kreisel::core {
 namespace {
 
 using nlohmann::json;
 
-json list(const Vec3& v) { return {v[0], v[1], v[2]}; }
-json rows(const Eigen::Matrix3d& m) {
-  return {list(Vec3(m.row(0))), list(Vec3(m.row(1))), list(Vec3(m.row(2)))};
-}
 json number(double value) { return std::isfinite(value) ? json(value) : json(); }
 
 json to_json(const Figures& f) {
@@ -19,10 +16,10 @@ json to_json(const Figures& f) {
   for (const auto& [name, value] : f.verdict.values) quality[name] = number(value);
   return {{"mass_g", f.mass},
           {"volume_mm3", f.volume},
-          {"centre_of_mass_mm", list(f.centre_of_mass)},
-          {"inertia_g_mm2", rows(f.inertia)},
-          {"principal_moments_g_mm2", list(f.principal)},
-          {"principal_axes", rows(f.axes.transpose())},
+          {"centre_of_mass_mm", json_list(f.centre_of_mass)},
+          {"inertia_g_mm2", json_rows(f.inertia)},
+          {"principal_moments_g_mm2", json_list(f.principal)},
+          {"principal_axes", json_rows(f.axes.transpose())},
           {"ok", f.verdict.ok},
           {"text", f.verdict.text},
           {"quality", quality}};
@@ -35,7 +32,7 @@ json to_json(const WrittenMould& written) {
   return {{"of", written.of},
           {"density", written.density},
           {"files", files},
-          {"normal", list(mould.parting.normal)},
+          {"normal", json_list(mould.parting.normal)},
           {"offset", mould.parting.offset},
           {"undercut_mm3", mould.parting.undercut},
           {"sprue_radius_mm", mould.sprue_radius},
@@ -59,8 +56,8 @@ std::string to_json(const Design& design) {
                   {"repairs", r.repairs},
                   {"termination", to_string(r.outcome.termination)},
                   {"density", r.density},
-                  {"axis", list(r.axis)},
-                  {"contact", list(r.contact)},
+                  {"axis", json_list(r.axis)},
+                  {"contact", json_list(r.contact)},
                   {"wall_asked_mm", r.wall * r.length_mm},
                   {"before", to_json(design.before)},
                   {"files", json::array()},
@@ -75,7 +72,7 @@ std::string to_json(const Design& design) {
   }
   json cuts = json::array();
   for (const Cut& cut : r.voids.cuts)
-    cuts.push_back({{"normal", list(cut.normal)}, {"offset", cut.offset}, {"opens", cut.opens}});
+    cuts.push_back({{"normal", json_list(cut.normal)}, {"offset", cut.offset}, {"opens", cut.opens}});
   for (const auto& file : design.files) summary["files"].push_back(file.string());
   summary["after"] = to_json(design.after);
   summary["constraint_residual"] = {{"centre_of_mass_mm", number(design.residual.centre_of_mass_mm)},
@@ -83,20 +80,21 @@ std::string to_json(const Design& design) {
                                     {"mass_g", number(design.residual.mass_g)}};
   summary["wall_mm"] = number(design.wall);
   summary["thinnest_mm"] = number(design.thinnest.thickness);
-  summary["thinnest_at_mm"] = std::isfinite(design.thinnest.thickness) ? list(design.thinnest.at) : json();
+  summary["thinnest_at_mm"] =
+      std::isfinite(design.thinnest.thickness) ? json_list(design.thinnest.at) : json();
   summary["voids"] = r.voids.pieces;
   summary["islands"] = r.voids.islands;
   summary["cuts"] = cuts;
   summary["cut_by"] = json::array();
   for (const Plane& cut : design.cuts)
-    summary["cut_by"].push_back({{"normal", list(cut.normal)}, {"offset", cut.offset}});
+    summary["cut_by"].push_back({{"normal", json_list(cut.normal)}, {"offset", cut.offset}});
   summary["triangles"] = r.verified.triangles;
   summary["cavity_triangles"] = r.verified.void_triangles;
   summary["moulds"] = json::array();
   for (const WrittenMould& mould : design.moulds) summary["moulds"].push_back(to_json(mould));
   summary["drains"] = json::array();
   for (const Drain& drain : design.drains)
-    summary["drains"].push_back({{"from", list(drain.from)}, {"along", list(drain.along)}});
+    summary["drains"].push_back({{"from", json_list(drain.from)}, {"along", json_list(drain.along)}});
   return summary.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

@@ -21,8 +21,8 @@ struct RowsOfColumns {
   std::size_t inside_voxels = 0, interior_voxels = 0;
 };
 
-RowsOfColumns rows_of_columns(const Grid& grid, const std::vector<std::vector<Crossing>>& crossings,
-                              int first_row, const SurfaceDistance& distance, double shell) {
+RowsOfColumns rows_of_columns(const Grid& grid, const ColumnCrossings& crossings, int first_row,
+                              const SurfaceDistance& distance, double shell) {
   RowsOfColumns part;
   CellRows cells(grid, crossings, first_row);
   part.inside_voxels = cells.count();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "error.hpp"
@@ -37,7 +38,7 @@ std::optional<Crossing> cross(const Vec3& a, const Vec3& b, const Vec3& c, doubl
   return Crossing{z, s > 0 ? -1 : 1};  // counter-clockwise from above: the outside is above, the line leaves
 }
 
-int balance(const std::vector<Crossing>& column) {
+int balance(std::span<const Crossing> column) {
   int sum = 0;
   for (const Crossing& c : column) sum += c.winding;
   return sum;
@@ -51,43 +52,105 @@ std::vector<Crossing> trace(const TriangleMesh& mesh, double x, double y) {
   return column;
 }
 
-/// First and last cell centre within [lo, hi] along an axis, with a cell to spare on either side.
-std::pair<int, int> centres_between(const Grid& grid, int axis, double lo, double hi) {
-  const double first = std::floor((lo - grid.origin[axis]) / grid.h - 0.5);
-  const double last = std::ceil((hi - grid.origin[axis]) / grid.h - 0.5);
-  return {std::max(0, static_cast<int>(first)), std::min(grid.n[axis] - 1, static_cast<int>(last))};
+/// The crossings of a column that round-off left unbalanced, from beside it.
+std::vector<Crossing> trace_aside(const TriangleMesh& mesh, const Grid& grid, int ix, int iy) {
+  const double x = grid.centre(0, ix), y = grid.centre(1, iy);
+  for (int attempt = 1; attempt <= 8; ++attempt) {
+    const double aside = 1e-6 * attempt * grid.h;
+    std::vector<Crossing> column = trace(mesh, x + aside, y + 0.7 * aside);
+    if (balance(column) == 0) return column;
+  }
+  throw InputError(
+      fmt::format("the vertical line at x = {:.6g}, y = {:.6g} (body units) enters the mesh "
+                  "and never leaves it; expected a closed mesh",
+                  x, y));
+}
+
+void sort(std::span<Crossing> column) {
+  std::sort(column.begin(), column.end(), [](const Crossing& l, const Crossing& r) {
+    return l.z != r.z ? l.z < r.z : l.winding > r.winding;
+  });
+}
+
+/// Centres of cells along an axis, counted from the first.
+class Centres {
+ public:
+  Centres(const Grid& grid, int axis)
+      : from_(grid.centre(axis, 0)), per_h_(1 / grid.h), last_(grid.n[axis] - 1) {}
+
+  /// First and last within [lo, hi], with what round-off may do to their places to spare.
+  [[nodiscard]] std::pair<int, int> between(double lo, double hi) const {
+    constexpr double spare = 1e-6;
+    const double first = std::max((lo - from_) * per_h_ - spare, 0.0), last = (hi - from_) * per_h_ + spare;
+    if (last < 0 || first > last_) return {0, -1};
+    const int whole = static_cast<int>(first);
+    return {whole + (whole < first), static_cast<int>(std::min(last, double(last_)))};
+  }
+
+ private:
+  double from_, per_h_;
+  int last_;
+};
+
+struct Hit {
+  std::uint32_t column;
+  std::int32_t winding;
+  double z;
+};
+
+/// In the order of the triangles.
+std::vector<Hit> hits_of(const TriangleMesh& mesh, const Grid& grid) {
+  const Centres along_x(grid, 0), along_y(grid, 1);
+  std::vector<Hit> hits;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+    const auto [x0, x1] = along_x.between(std::min({a[0], b[0], c[0]}), std::max({a[0], b[0], c[0]}));
+    if (x0 > x1) continue;
+    const auto [y0, y1] = along_y.between(std::min({a[1], b[1], c[1]}), std::max({a[1], b[1], c[1]}));
+    for (int iy = y0; iy <= y1; ++iy)
+      for (int ix = x0; ix <= x1; ++ix)
+        if (const auto hit = cross(a, b, c, grid.centre(0, ix), grid.centre(1, iy)))
+          hits.push_back({static_cast<std::uint32_t>(ix + grid.n[0] * iy), hit->winding, hit->z});
+  }
+  return hits;
 }
 
 }  // namespace
 
-std::vector<std::vector<Crossing>> column_crossings(const TriangleMesh& mesh, const Grid& grid) {
-  std::vector<std::vector<Crossing>> columns(static_cast<std::size_t>(grid.n[0]) * grid.n[1]);
-  for (const Triangle& t : mesh.triangles) {
-    const auto [a, b, c] = corners_of(mesh, t);
-    const auto [x0, x1] =
-        centres_between(grid, 0, std::min({a[0], b[0], c[0]}), std::max({a[0], b[0], c[0]}));
-    const auto [y0, y1] =
-        centres_between(grid, 1, std::min({a[1], b[1], c[1]}), std::max({a[1], b[1], c[1]}));
-    for (int iy = y0; iy <= y1; ++iy)
-      for (int ix = x0; ix <= x1; ++ix)
-        if (const auto hit = cross(a, b, c, grid.centre(0, ix), grid.centre(1, iy)))
-          columns[ix + static_cast<std::size_t>(grid.n[0]) * iy].push_back(*hit);
+ColumnCrossings column_crossings(const TriangleMesh& mesh, const Grid& grid) {
+  const std::size_t columns = static_cast<std::size_t>(grid.n[0]) * grid.n[1];
+  ColumnCrossings result;
+  std::vector<std::uint32_t>& first = result.first_;
+  first.assign(columns + 1, 0);
+  {
+    const std::vector<Hit> hits = hits_of(mesh, grid);
+    for (const Hit& hit : hits) ++first[hit.column];
+    std::uint32_t end = 0;
+    for (std::uint32_t& at : first) at = end += at;  // of each column, and filled backwards from there
+    result.all_.resize(hits.size());
+    for (auto hit = hits.rbegin(); hit != hits.rend(); ++hit)
+      result.all_[--first[hit->column]] = {hit->z, hit->winding};
   }
-  for (int iy = 0; iy < grid.n[1]; ++iy)
-    for (int ix = 0; ix < grid.n[0]; ++ix) {
-      auto& column = columns[ix + static_cast<std::size_t>(grid.n[0]) * iy];
-      for (int attempt = 1; balance(column) != 0; ++attempt) {
-        const double aside = 1e-6 * attempt * grid.h;
-        if (attempt > 8)
-          throw InputError(
-              fmt::format("the vertical line at x = {:.6g}, y = {:.6g} (body units) enters the mesh "
-                          "and never leaves it; expected a closed mesh",
-                          grid.centre(0, ix), grid.centre(1, iy)));
-        column = trace(mesh, grid.centre(0, ix) + aside, grid.centre(1, iy) + 0.7 * aside);
-      }
-      std::sort(column.begin(), column.end(), [](const Crossing& l, const Crossing& r) { return l.z < r.z; });
+  std::map<std::size_t, std::vector<Crossing>> anew;
+  for (std::size_t k = 0; k < columns; ++k) {
+    if (balance(result[k]) != 0)
+      anew[k] = trace_aside(mesh, grid, static_cast<int>(k) % grid.n[0], static_cast<int>(k) / grid.n[0]);
+  }
+  if (!anew.empty()) {
+    ColumnCrossings other;
+    other.first_.push_back(0);
+    for (std::size_t k = 0; k < columns; ++k) {
+      const auto found = anew.find(k);
+      const std::span<const Crossing> column =
+          found == anew.end() ? result[k] : std::span<const Crossing>(found->second);
+      other.all_.insert(other.all_.end(), column.begin(), column.end());
+      other.first_.push_back(static_cast<std::uint32_t>(other.all_.size()));
     }
-  return columns;
+    result = std::move(other);
+  }
+  for (std::size_t k = 0; k < columns; ++k)
+    sort({result.all_.data() + result.first_[k], result.all_.data() + result.first_[k + 1]});
+  return result;
 }
 
 }  // namespace kreisel::core

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "domain/columns.hpp"
+#include "mesh/query/offset.hpp"
 
 namespace kreisel::core {
 
@@ -24,18 +26,39 @@ struct ExactColumns {
   Moments interior = Moments::Zero();    ///< of all h x h columns at unit density, body units
 };
 
-/// The parts of the centre lines of a grid's columns inside a mesh and at least `wall` from its surface: the
-/// crossings of the surface (crossings.hpp) less its exact offset (mesh/query/offset.hpp). Every point is as
-/// deep as the wall up to round-off; sorted as in ExactColumns.
-///
-/// @param wall  >= 0, the mesh's unit
-/// @throws InputError  a mesh that is not closed
-[[nodiscard]] std::vector<ExactInterval> exact_intervals(const TriangleMesh& mesh, const Grid& grid,
-                                                         double wall);
+/// What every wall's exact intervals are cut from: the centre lines of a grid's columns inside a mesh, and
+/// the pieces of its surface.
+class SolidLines {
+ public:
+  /// @throws InputError  a mesh that is not closed
+  SolidLines(const TriangleMesh& mesh, const Grid& grid);
 
-/// The exact_intervals of a body on the grid of make_columns. Any wall > 0 will do.
+  [[nodiscard]] const Grid& grid() const { return grid_; }
+
+  /// The parts of the lines at least `wall` from the surface: its crossings (crossings.hpp) less its exact
+  /// offset (mesh/query/offset.hpp). Every point is as deep as the wall up to round-off; sorted as in
+  /// ExactColumns. From several threads at once, too.
+  ///
+  /// @param wall  >= 0, the mesh's unit
+  [[nodiscard]] std::vector<ExactInterval> intervals(double wall) const;
+
+ private:
+  Grid grid_;
+  double round_off_;  ///< of a depth
+  LineSpans inside_;
+  std::optional<ShellPieces> pieces_;
+};
+
+/// Those of a body on the grid of make_columns. @throws InputError  a mesh that is not closed
+[[nodiscard]] SolidLines solid_lines(const Body& body, const GridSpec& spec);
+
+/// The intervals of a body. Any wall > 0 will do.
 ///
-/// @throws InputError  no interior left; a mesh that is not closed
+/// @param lines  of this body
+/// @throws InputError  no interior left
+[[nodiscard]] ExactColumns make_exact(const Body& body, const SolidLines& lines, const Wall& wall);
+
+/// The same for one wall alone. @throws InputError  no interior left; a mesh that is not closed
 [[nodiscard]] ExactColumns make_exact(const Body& body, const GridSpec& spec, const Wall& wall);
 
 }  // namespace kreisel::core

@@ -30,14 +30,14 @@ struct CellRows::Block {
   }
 };
 
-CellRows::CellRows(const Grid& grid, std::span<const std::vector<Crossing>> crossings, int first_row)
+CellRows::CellRows(const Grid& grid, const ColumnCrossings& crossings, int first_row)
     : grid_(&grid),
       y0_(first_row),
       y1_(std::min(first_row + most_rows, grid.n[1])),
       cells_(static_cast<std::size_t>(y1_ - y0_) * grid.n[0] * grid.n[2]) {
   for (int iy = y0_; iy < y1_; ++iy)
     for (int ix = 0; ix < grid.n[0]; ++ix) {
-      const auto& column = crossings[ix + static_cast<std::size_t>(grid.n[0]) * iy];
+      const std::span<const Crossing> column = crossings[ix + static_cast<std::size_t>(grid.n[0]) * iy];
       if (column.empty()) continue;
       std::uint8_t* cell = cells_.data() + offset(ix, iy);
       int winding = 0;

@@ -20,7 +20,7 @@ class CellRows {
   ///
   /// @param crossings  of every column of the grid (column_crossings)
   /// @param first_row  rows [first_row, first_row + 8), as far as the grid goes
-  CellRows(const Grid& grid, std::span<const std::vector<Crossing>> crossings, int first_row);
+  CellRows(const Grid& grid, const ColumnCrossings& crossings, int first_row);
 
   /// Takes out every cell whose centre is nearer to the surface than `shell`, exactly as if each were asked.
   ///

@@ -24,7 +24,7 @@ Sheet empty_sheet(bool labels) {
                        labels);
 }
 
-std::vector<Cell> row_of(const RecordedRun& run) {
+std::vector<Cell> certificate_row(const RecordedRun& run) {
   const SolveCells solve(run);
   std::vector<Cell> cells = opening_cells(run);
   const bool known = has_result(run), certified = known && run.record->bound.has_value();
@@ -49,7 +49,7 @@ Tables certificate_tables(const std::vector<RecordedRun>& runs, const std::optio
       empty_sheet(std::ranges::any_of(runs, [](const auto& run) { return !run.run.label.empty(); }));
   std::string notes;
   for (const RecordedRun& run : runs) {
-    sheet.add(row_of(run));
+    sheet.add(certificate_row(run));
     notes += note_of(run);
   }
   Tables tables{{{"", std::move(sheet), notes}}, "f: objective; bound: no interior of the domain has less; "};

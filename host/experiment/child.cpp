@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double giga = 1e9;
+constexpr double gigabyte = 1e9;
 constexpr auto look_every = std::chrono::milliseconds(20);
 
 /// Bytes in use by a process; 0 once it has ended.
@@ -115,12 +115,12 @@ ChildEnd run_child(std::vector<std::string> words, const Limits& limits, bool qu
     if (ended != 0) continue;
     if (limits.seconds > 0 && watch.seconds() > limits.seconds)
       stop(time_limit_text(limits));
-    else if (limits.gigabytes > 0 && memory_of(child) > giga * limits.gigabytes)
+    else if (limits.gigabytes > 0 && memory_of(child) > gigabyte * limits.gigabytes)
       stop(memory_limit_text(limits));
     std::this_thread::sleep_for(look_every);
   }
   // What it took between two looks.
-  if (limits.gigabytes > 0 && 1024.0 * static_cast<double>(usage.ru_maxrss) > giga * limits.gigabytes)
+  if (limits.gigabytes > 0 && 1024.0 * static_cast<double>(usage.ru_maxrss) > gigabyte * limits.gigabytes)
     end.limit = memory_limit_text(limits);
   end.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   if (said) end.last_words = said->last();

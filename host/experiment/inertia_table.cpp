@@ -25,7 +25,7 @@ Matrix3d matrix_of(const std::array<double, 6>& i) {
   return m;
 }
 
-Sheet empty_sheet() {
+Sheet inertia_sheet() {
   std::vector<Sheet::Column> columns = {{"run", "", ""}, {"body", "", "body", true}};
   for (const char* name : names) columns.push_back({fmt::format("{}_g_cm2", name), "g cm^2", name});
   for (const char* name : names)
@@ -52,7 +52,7 @@ void add_row(Sheet& sheet, const std::string& run, const std::string& body, cons
 Block block_of(const RecordedRun& run, const std::optional<Published>& published) {
   std::string heading = run_text(run.run.config);
   for (const auto& [name, value] : run.run.config.settings) heading += fmt::format(", {}={}", name, value);
-  Block block{heading, empty_sheet(), note_of(run)};
+  Block block{heading, inertia_sheet(), note_of(run)};
   if (has_result(run)) {
     const RecordSummary& r = *run.record;
     const double unit = r.mass_unit_grams * r.length_mm * r.length_mm / 100;  // M L^2 in g cm^2

@@ -10,23 +10,23 @@
 namespace kreisel::core {
 namespace {
 
-struct Row {
+struct SolverRow {
   std::string label, name, formulation;
   const RecordedRun *mumps = nullptr, *own = nullptr;
 };
 
-std::vector<Row> rows_of(const std::vector<RecordedRun>& runs) {
-  std::vector<Row> rows;
+std::vector<SolverRow> rows_of(const std::vector<RecordedRun>& runs) {
+  std::vector<SolverRow> rows;
   for (const RecordedRun& run : runs) {
     const RunConfig& config = run.run.config;
     const std::string name = model_text(config) + ' ' + grid_text(run);
-    Row& row = find_or_add(
+    SolverRow& row = find_or_add(
         rows,
-        [&](const Row& r) {
+        [&](const SolverRow& r) {
           return r.label == run.run.label && r.name == name && r.formulation == config.formulation;
         },
         [&] {
-          return Row{run.run.label, name, config.formulation};
+          return SolverRow{run.run.label, name, config.formulation};
         });
     const auto solver = config.settings.find("ipopt.linear_solver");
     (solver != config.settings.end() && solver->second == "mumps" ? row.mumps : row.own) = &run;
@@ -48,7 +48,7 @@ void add_side(std::vector<Cell>& cells, const RecordedRun* run) {
                              Cell::of(an_iteration(side), "{:.2f}"), solve.objective});
 }
 
-std::vector<Cell> cells_of(const Row& row) {
+std::vector<Cell> cells_of(const SolverRow& row) {
   const SolveCells any(row.own ? *row.own : *row.mumps);
   std::vector<Cell> cells = {row.label, row.name, row.formulation, any.variables};
   add_side(cells, row.mumps);
@@ -64,7 +64,7 @@ std::vector<Cell> cells_of(const Row& row) {
   return cells;
 }
 
-Sheet empty_sheet() {
+Sheet linear_solver_sheet() {
   std::vector<Sheet::Column> columns = {{"label", "", "setting", true},
                                         {"", "", "model, grid", true},
                                         {"formulation", "", "formulation", true},
@@ -87,9 +87,9 @@ Sheet empty_sheet() {
 }  // namespace
 
 Tables linear_solver_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>&) {
-  Sheet sheet = empty_sheet();
+  Sheet sheet = linear_solver_sheet();
   std::string notes;
-  for (const Row& row : rows_of(runs)) {
+  for (const SolverRow& row : rows_of(runs)) {
     sheet.add(cells_of(row));
     for (const RecordedRun* run : {row.mumps, row.own})
       if (run) notes += note_of(*run, true, row.name + ", " + row.formulation + ", " + row.label);

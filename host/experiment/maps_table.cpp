@@ -8,7 +8,7 @@
 namespace kreisel::core {
 namespace {
 
-Sheet empty_sheet() {
+Sheet maps_sheet() {
   return Sheet({{"model", "", "model", true},
                 {"problem", "", "problem", true},
                 {"through", "", "through", true},
@@ -63,7 +63,7 @@ void add_case(Sheet& sheet, const RecordedRun& run, const MapSummary::Case& part
 }  // namespace
 
 Tables maps_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>&) {
-  Sheet sheet = empty_sheet();
+  Sheet sheet = maps_sheet();
   std::string notes;
   for (const RecordedRun& run : runs) {
     if (run.map) {

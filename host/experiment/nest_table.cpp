@@ -42,7 +42,8 @@ const NestTiming* timing_of(const NestSummary& nest, const std::string& variant)
   return at == nest.timings.end() ? nullptr : &*at;
 }
 
-const PublishedRow::Nesting* printed(const RecordedRun& run, const std::optional<Published>& published) {
+const PublishedRow::Nesting* printed_nesting(const RecordedRun& run,
+                                             const std::optional<Published>& published) {
   if (!published) return nullptr;
   const auto at = std::ranges::find_if(published->rows, [&](const PublishedRow& row) {
     return row.nesting && (run.run.label == row.label || run.run.label.starts_with(row.label + ","));
@@ -86,7 +87,7 @@ Tables nestings_tables(const std::vector<RecordedRun>& runs, const std::optional
     if (!has_nesting(run)) continue;
     std::vector<Cell> cells = row_of(run, timings);
     const bool stand_in = run.run.label.find("stand-in") != std::string::npos;
-    if (const PublishedRow::Nesting* paper = printed(run, published))
+    if (const PublishedRow::Nesting* paper = printed_nesting(run, published))
       cells.insert(cells.end(), {fmt::format("{}", paper->triangles), Cell::of(paper->test_ms, "{:g}"),
                                  Cell::of(paper->search_ms, "{:g}"), Cell::of(paper->seconds, "{:g}"),
                                  stand_in ? Cell(fmt::format("({:.2f})", paper->scale), "")

@@ -10,7 +10,7 @@
 namespace kreisel::core {
 namespace {
 
-Sheet empty_sheet() {
+Sheet octree_sheet() {
   return sheet_of_runs({{"voxels", "cells", "voxels"},
                         {"variables", "cells", "variables"},
                         {"variables_percent", "cells", "%"},
@@ -34,7 +34,7 @@ std::optional<double> rounded_gap(const RecordSummary& r) {
   return (r.rounded_objective - *r.bound) / std::abs(*r.bound) * 100;
 }
 
-std::vector<Cell> row_of(const RecordedRun& run) {
+std::vector<Cell> octree_row(const RecordedRun& run) {
   std::vector<Cell> cells = opening_cells(run);
   const SolveCells solve(run);
   if (!has_result(run)) {
@@ -59,10 +59,10 @@ std::vector<Cell> row_of(const RecordedRun& run) {
 }  // namespace
 
 Tables octree_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>&) {
-  Sheet sheet = empty_sheet();
+  Sheet sheet = octree_sheet();
   std::string notes;
   for (const RecordedRun& run : runs) {
-    sheet.add(row_of(run));
+    sheet.add(octree_row(run));
     notes += note_of(run);
   }
   return {{{"", std::move(sheet), notes}},

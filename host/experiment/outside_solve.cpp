@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr double giga = 1e9;
 // Of `bench`, docs/output.md.
-constexpr int converged_code = 0, infeasible_code = 3, not_converged_code = 4, interrupted_code = 130;
+constexpr int converged_code = 0, infeasible_code = 3, not_converged_code = 4, stopped_code = 130;
 
 std::vector<std::string> words_of(const RunConfig& config, const fs::path& record) {
   std::vector<std::string> words = {program_beside("bench").string(),
@@ -57,7 +57,7 @@ void OutsideSolve::run(const Control& control) {
   control.tell("in a process of its own");
   const ChildEnd end = run_child(words_of(run_.run.config, partial_), limits, true);
   if (!end.limit.empty()) throw InputError(end.limit);
-  whole_ = end.code != interrupted_code;
+  whole_ = end.code != stopped_code;
   if (!whole_) return;
   std::error_code ignored;
   const bool recorded = fs::exists(partial_, ignored);

@@ -16,7 +16,7 @@ namespace {
 
 using Fields = std::map<std::string, std::string>;
 
-struct Group {
+struct SettingsGroup {
   std::string name;
   std::vector<const RecordedRun*> runs;
 };
@@ -45,14 +45,14 @@ std::string name_of(const RunConfig& config, By by) {
                            : fmt::format("{}, domain {}", body, domain_of(config));
 }
 
-std::vector<Group> groups_of(const std::vector<RecordedRun>& runs, By by) {
-  std::vector<Group> groups;
+std::vector<SettingsGroup> groups_of(const std::vector<RecordedRun>& runs, By by) {
+  std::vector<SettingsGroup> groups;
   for (const RecordedRun& run : runs) {
     const std::string name = name_of(run.run.config, by);
     find_or_add(
-        groups, [&](const Group& g) { return g.name == name; },
+        groups, [&](const SettingsGroup& g) { return g.name == name; },
         [&] {
-          return Group{name, {}};
+          return SettingsGroup{name, {}};
         })
         .runs.push_back(&run);
   }
@@ -60,7 +60,7 @@ std::vector<Group> groups_of(const std::vector<RecordedRun>& runs, By by) {
 }
 
 /// The fields that have the same value in every run.
-Fields common_fields(const Group& group, By by) {
+Fields common_fields(const SettingsGroup& group, By by) {
   Fields common = settings_of(*group.runs.front(), by);
   for (const RecordedRun* run : group.runs) {
     const Fields fields = settings_of(*run, by);
@@ -85,7 +85,7 @@ std::string text_of(const Fields& fields, const Fields& common, bool whole) {
 }
 
 /// The lowest objective among the converged.
-std::optional<double> best_of(const Group& group) {
+std::optional<double> best_of(const SettingsGroup& group) {
   std::optional<double> best;
   for (const RecordedRun* run : group.runs)
     if (is_converged(*run)) best = std::min(best.value_or(run->record->objective), run->record->objective);
@@ -127,8 +127,8 @@ std::string with_formulation(const RecordedRun& run, Fields fields, const Fields
                             : fmt::format("{}, {}", run.run.config.formulation, rest);
 }
 
-void add_row(Block& block, const Group& group, const RecordedRun& run, const Fields& common, bool certified,
-             By by) {
+void add_row(Block& block, const SettingsGroup& group, const RecordedRun& run, const Fields& common,
+             bool certified, By by) {
   const SolveCells solve(run);
   const RunConfig& config = run.run.config;
   const RecordedRun& first = *group.runs.front();
@@ -173,7 +173,7 @@ Tables tables_by(By by, const std::vector<RecordedRun>& runs) {
   const bool labels = std::ranges::any_of(runs, [](const auto& run) { return !run.run.label.empty(); });
   const bool certified = any_certified(runs);
   Tables tables;
-  for (const Group& group : groups_of(runs, by)) {
+  for (const SettingsGroup& group : groups_of(runs, by)) {
     const Fields common = common_fields(group, by);
     Block block{fmt::format("{}; in all: {}", group.name, text_of(common, {}, true)),
                 empty_sheet(labels, certified, by),

@@ -44,7 +44,7 @@ std::string spectrum(const SpinCheck& check) {
   return check.at_speed.stable() ? "stable" : check.at_speed.steady ? "unstable" : "no steady spin";
 }
 
-Sheet empty_sheet() {
+Sheet simulation_sheet() {
   std::vector<Sheet::Column> columns = {{"model", "", "model", true}};
   for (const char* body : {"solid", "part"}) {
     const std::string group = fmt::format("{}: stable above, rpm", body);
@@ -61,7 +61,7 @@ Sheet empty_sheet() {
   return Sheet(std::move(columns));
 }
 
-std::vector<Cell> row_of(const RecordedRun& run) {
+std::vector<Cell> simulation_row(const RecordedRun& run) {
   const RecordSummary& r = *run.record;
   Body solid;
   solid.solid = r.solid;
@@ -91,12 +91,12 @@ std::vector<Cell> row_of(const RecordedRun& run) {
 }  // namespace
 
 Tables simulation_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>&) {
-  Sheet sheet = empty_sheet();
+  Sheet sheet = simulation_sheet();
   std::string notes;
   for (const RecordedRun& run : runs) {
     notes += note_of(run, false);
     if (has_result(run) && !find_problem(run.run.config.problem).upright && run.record->written[S1] > 0)
-      sheet.add(row_of(run));
+      sheet.add(simulation_row(run));
   }
   return {
       {{"", std::move(sheet), notes}},

@@ -8,7 +8,7 @@
 namespace kreisel::core {
 namespace {
 
-Sheet empty_sheet() {
+Sheet standing_sheet() {
   return Sheet({{"run", "", ""},
                 {"way", "", "way", true},
                 {"formulation", "", "formulation", true},
@@ -69,7 +69,7 @@ Tables standing_tables(const std::vector<RecordedRun>& runs, const std::optional
     Block& block = find_or_add(
         tables.blocks, [&](const Block& b) { return b.heading == heading; },
         [&] {
-          return Block{heading, empty_sheet(), {}};
+          return Block{heading, standing_sheet(), {}};
         });
     block.sheet.add(row_of(heading, run));
     block.notes += note_of(run);

@@ -10,7 +10,7 @@
 namespace kreisel::core {
 namespace {
 
-Sheet empty_sheet() {
+Sheet voids_sheet() {
   return sheet_of_runs({{"termination", "", "termination", true},
                         {"objective", "", "f"},
                         {"verified", "", "verified", true},
@@ -29,7 +29,7 @@ bool belongs(const PublishedRow& row, const RecordedRun& run) {
          (row.problem.empty() || row.problem == run.run.config.problem);
 }
 
-const PublishedRow::Voids* printed(const RecordedRun& run, const std::optional<Published>& published) {
+const PublishedRow::Voids* printed_voids(const RecordedRun& run, const std::optional<Published>& published) {
   if (!published) return nullptr;
   const auto at =
       std::ranges::find_if(published->rows, [&](const PublishedRow& row) { return belongs(row, run); });
@@ -53,7 +53,7 @@ std::vector<Cell> row_without_run(const PublishedRow& row) {
 }  // namespace
 
 Tables voids_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>& published) {
-  Sheet sheet = empty_sheet();
+  Sheet sheet = voids_sheet();
   std::string notes;
   for (const RecordedRun& run : runs) {
     const SolveCells solve(run);
@@ -68,7 +68,7 @@ Tables voids_tables(const std::vector<RecordedRun>& runs, const std::optional<Pu
     } else {
       cells.insert(cells.end(), 5, Cell::none());
     }
-    const PublishedRow::Voids* paper = printed(run, published);
+    const PublishedRow::Voids* paper = printed_voids(run, published);
     cells.push_back(paper ? count(paper->pieces) : Cell::none());
     cells.push_back(paper ? count(paper->cuts) : Cell::none());
     sheet.add(std::move(cells));

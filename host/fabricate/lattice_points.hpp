@@ -23,7 +23,7 @@ void for_each_inside(const TriangleMesh& mesh, double depth, const CubicLattice&
     grid.h = lattice.cell();
     grid.n = {n[0], n[1], n[2]};
     grid.origin = lattice.point(first) - Vec3::Constant(grid.h / 2);
-    for (const ExactInterval& run : exact_intervals(mesh, grid, depth)) {
+    for (const ExactInterval& run : SolidLines(mesh, grid).intervals(depth)) {
       const auto at = [&](double z) { return (z - lattice.point(first)[2]) / grid.h; };
       const int k0 = std::max(0, static_cast<int>(std::ceil(at(run.z0)))),
                 k1 = std::min(n[2] - 1, static_cast<int>(std::floor(at(run.z1))));

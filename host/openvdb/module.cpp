@@ -1,4 +1,5 @@
-// module.cpp - the one file that includes OpenVDB: it takes a minute to compile.
+// module.cpp - the one file that includes OpenVDB. It calls what OpenVDB's library has, for to instantiate
+// that anew takes a minute.
 #include "openvdb/module.hpp"
 
 #include <openvdb/openvdb.h>
@@ -8,26 +9,29 @@
 namespace kreisel::core {
 namespace {
 
-/// A mesh as OpenVDB asks for it, in voxels about the middle of its box, where floats are finest.
+/// A mesh as OpenVDB's library takes it, in voxels about the middle of its box, where floats are finest.
 class InVoxels {
  public:
-  InVoxels(const TriangleMesh& mesh, double voxel) : mesh_(mesh), voxel_(voxel) {
+  InVoxels(const TriangleMesh& mesh, double voxel) : voxel_(voxel) {
     const Box box = bounding_box(mesh);
     centre_ = box.centre();
+    points_.reserve(mesh.vertices.size());
+    for (const Vec3& v : mesh.vertices) {
+      const Eigen::Vector3f p = ((v - centre_) / voxel).cast<float>();
+      points_.emplace_back(p[0], p[1], p[2]);
+    }
+    triangles_.reserve(mesh.triangles.size());
+    for (const auto& [i, j, k] : mesh.triangles) triangles_.emplace_back(i, j, k);
   }
-  [[nodiscard]] std::size_t polygonCount() const { return mesh_.triangles.size(); }
-  [[nodiscard]] std::size_t pointCount() const { return mesh_.vertices.size(); }
-  [[nodiscard]] std::size_t vertexCount(std::size_t) const { return 3; }
-  void getIndexSpacePoint(std::size_t triangle, std::size_t corner, openvdb::Vec3d& point) const {
-    const Vec3 p = (mesh_.vertices[mesh_.triangles[triangle][corner]] - centre_) / voxel_;
-    point = {p[0], p[1], p[2]};
-  }
+  [[nodiscard]] const std::vector<openvdb::Vec3s>& points() const { return points_; }
+  [[nodiscard]] const std::vector<openvdb::Vec3I>& triangles() const { return triangles_; }
   [[nodiscard]] Vec3 back(const openvdb::Vec3s& p) const { return voxel_ * Vec3(p[0], p[1], p[2]) + centre_; }
 
  private:
-  const TriangleMesh& mesh_;
   double voxel_;
   Vec3 centre_;
+  std::vector<openvdb::Vec3s> points_;
+  std::vector<openvdb::Vec3I> triangles_;
 };
 
 }  // namespace
@@ -40,8 +44,11 @@ extern "C" void kreisel_offset(const kreisel::core::TriangleMesh& mesh, double d
   // Three voxels beyond the surface asked for, and beyond the mesh: what interpolation looks at, and to
   // spare.
   const auto reach = static_cast<float>(std::abs(distance) / voxel) + 3;
+  const openvdb::tools::QuadAndTriangleDataAdapter<openvdb::Vec3s, openvdb::Vec3I> adapter(
+      in_voxels.points(), in_voxels.triangles());
+  openvdb::util::NullInterrupter never;
   const auto field = openvdb::tools::meshToVolume<openvdb::FloatGrid>(
-      in_voxels, openvdb::math::Transform(), distance > 0 ? reach : 3, distance < 0 ? reach : 3);
+      never, adapter, openvdb::math::Transform(), distance > 0 ? reach : 3, distance < 0 ? reach : 3);
   std::vector<openvdb::Vec3s> points;
   std::vector<openvdb::Vec4I> quads;
   openvdb::tools::volumeToMesh(*field, points, quads, distance / voxel);

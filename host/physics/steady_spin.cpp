@@ -1,6 +1,5 @@
 #include "physics/steady_spin.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -85,8 +84,9 @@ std::optional<SteadySpin> steady_spin(const RigidBody& body, double speed, doubl
 }
 
 std::vector<SpeedRange> stable_speeds(const RigidBody& body) {
-  const Eigen::SelfAdjointEigenSolver<Matrix2d> lateral(Matrix2d(body.inertia.topLeftCorner<2, 2>()));
-  const double a = lateral.eigenvalues()[0], b = lateral.eigenvalues()[1], c = body.inertia(2, 2);
+  const double mean = (body.inertia(0, 0) + body.inertia(1, 1)) / 2,
+               apart = std::hypot((body.inertia(0, 0) - body.inertia(1, 1)) / 2, body.inertia(0, 1));
+  const double a = mean - apart, b = mean + apart, c = body.inertia(2, 2);  // principal moments
   const double p = body.lever[2];
   // Of x = speed^2: stiffnesses (c - a) x - p and (c - b) x - p; the middle coefficient b1 x + b0; and where
   // the discriminant d2 x^2 + d1 x + d0 changes its sign.

@@ -2,6 +2,10 @@
 
 namespace kreisel::core {
 
+void write_vector(hdf5::Group& group, const std::string& name, const Vec3& v, const char* units) {
+  group.write(name, {v.data(), 3}, {3}, {units, {"x", "y", "z"}});
+}
+
 void write_config(hdf5::Group group, const RunConfig& config) {
   for (const auto& [key, value] : describe(config)) group.set(key, value);
 }

@@ -1,11 +1,19 @@
-// common_groups.hpp - groups that every kind of record has.
+// common_groups.hpp - what every kind of record has.
 #pragma once
 
+#include <limits>
+
+#include "geometry/triangle_mesh.hpp"
 #include "record/hdf5_file.hpp"
 #include "session/config.hpp"
 #include "session/provenance.hpp"
 
 namespace kreisel::core {
+
+/// Where there is no number.
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+void write_vector(hdf5::Group& group, const std::string& name, const Vec3& v, const char* units);
 
 /// describe(config), an attribute each.
 void write_config(hdf5::Group group, const RunConfig& config);

@@ -13,7 +13,7 @@ namespace {
 using hdf5::Group;
 using Numbers = std::vector<double>;
 
-constexpr const char* schema = "kreisel nesting checkpoint";
+constexpr const char* checkpoint_schema = "kreisel nesting checkpoint";
 constexpr int newest = 1;
 
 void put(Group& group, const char* name, const Numbers& values) {
@@ -101,7 +101,7 @@ std::vector<nest::SwarmStep> read_trace(const Group& group) {
 void write_checkpoint(const std::filesystem::path& path, const NestCheckpoint& checkpoint) {
   hdf5::File file = hdf5::File::create(path);
   const nest::SearchState& state = checkpoint.state;
-  file.set("schema", schema);
+  file.set("schema", checkpoint_schema);
   file.set("schema_version", newest);
   {
     Group config = file.new_group("config");
@@ -125,7 +125,7 @@ void write_checkpoint(const std::filesystem::path& path, const NestCheckpoint& c
 NestCheckpoint read_checkpoint(const std::filesystem::path& path) {
   const hdf5::File file = hdf5::File::open(path);
   const std::string name = path.string();
-  require_schema(file, name, "a checkpoint of a nesting", schema, newest);
+  require_schema(file, name, "a checkpoint of a nesting", checkpoint_schema, newest);
   NestCheckpoint checkpoint;
   const Group config = file.group("config");
   for (const std::string& key : config.attributes())

@@ -1,13 +1,12 @@
 #include <nlohmann/json.hpp>
 
+#include "json_list.hpp"
 #include "record/nest_record.hpp"
 
 namespace kreisel::core {
 namespace {
 
 using nlohmann::json;
-
-json list(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 json errors_of(const nest::Accuracy& accuracy) {
   json errors = json::array();
@@ -60,23 +59,23 @@ json rows_of(const Eigen::Matrix<double, 3, 4>& t) {
 json to_json(const nest::Layers& layers) {
   json all = json::array();
   for (const nest::Layer& layer : layers.layers)
-    all.push_back(
-        {{"outer_shape", layer.outer},
-         {"inner_shape", layer.inner},
-         {"scale", layer.scale},
-         {"certified_scale", layer.certified_scale > 0 ? json(layer.certified_scale) : json()},
-         {"ratio", layer.ratio},
-         {"longest_mm", layer.longest},
-         {"thickness_mm", layer.thickness},
-         {"transform", rows_of(layer.inner_to_world.affine())},
-         {"plane",
-          {{"point", list(layer.cut.offset * layer.cut.normal)}, {"normal", list(layer.cut.normal)}}},
-         {"removal", {{"plus", list(layer.cut.plus)}, {"minus", list(layer.cut.minus)}}},
-         {"evaluations", layer.evaluations},
-         {"seconds",
-          {{"offset", layer.offset_seconds},
-           {"search", layer.search_seconds},
-           {"certify", layer.certify_seconds}}}});
+    all.push_back({{"outer_shape", layer.outer},
+                   {"inner_shape", layer.inner},
+                   {"scale", layer.scale},
+                   {"certified_scale", layer.certified_scale > 0 ? json(layer.certified_scale) : json()},
+                   {"ratio", layer.ratio},
+                   {"longest_mm", layer.longest},
+                   {"thickness_mm", layer.thickness},
+                   {"transform", rows_of(layer.inner_to_world.affine())},
+                   {"plane",
+                    {{"point", json_list(layer.cut.offset * layer.cut.normal)},
+                     {"normal", json_list(layer.cut.normal)}}},
+                   {"removal", {{"plus", json_list(layer.cut.plus)}, {"minus", json_list(layer.cut.minus)}}},
+                   {"evaluations", layer.evaluations},
+                   {"seconds",
+                    {{"offset", layer.offset_seconds},
+                     {"search", layer.search_seconds},
+                     {"certify", layer.certify_seconds}}}});
   return all;
 }
 
@@ -120,8 +119,8 @@ json to_json(const NestResult& result) {
   out["sampled_scale"] = result.sampled_scale ? json(*result.sampled_scale) : json();
   out["transform"] = nullptr;
   if (result.placed) out["transform"] = rows_of(result.transform);
-  out["plane"] = {{"point", list(result.plane_point)}, {"normal", list(result.plane_normal)}};
-  out["removal"] = {{"plus", list(result.plus)}, {"minus", list(result.minus)}};
+  out["plane"] = {{"point", json_list(result.plane_point)}, {"normal", json_list(result.plane_normal)}};
+  out["removal"] = {{"plus", json_list(result.plus)}, {"minus", json_list(result.minus)}};
   if (result.layers) out["layers"] = to_json(*result.layers);
   for (const NestTiming& t : result.timings)
     out["timings"][t.variant] = {{"test_ms", t.test_ms}, {"search_ms", t.search_ms}, {"scale", t.scale}};

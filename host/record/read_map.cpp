@@ -15,7 +15,7 @@ namespace {
 
 using hdf5::Group;
 
-constexpr const char* schema = "kreisel map";
+constexpr const char* map_schema = "kreisel map";
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -57,12 +57,12 @@ MapSummary::Best read_best(const hdf5::File& file, const MapSummary& map, std::s
 
 }  // namespace
 
-bool is_map(const std::filesystem::path& path) { return schema_of(hdf5::File::open(path)) == schema; }
+bool is_map(const std::filesystem::path& path) { return schema_of(hdf5::File::open(path)) == map_schema; }
 
 MapSummary read_map(const std::filesystem::path& path) {
   const hdf5::File file = hdf5::File::open(path);
   const std::string name = path.string();
-  require_schema(file, name, "a map", schema, map_schema_version);
+  require_schema(file, name, "a map", map_schema, map_schema_version);
   MapSummary map;
   map.path = path;
   map.model = file.text("model");

@@ -13,7 +13,7 @@ namespace {
 
 using hdf5::Group;
 
-constexpr const char* schema = "kreisel nesting";
+constexpr const char* nest_schema = "kreisel nesting";
 
 std::optional<double> number_or_none(const Group& group, const std::string& name) {
   const double value = group.real(name);
@@ -56,12 +56,12 @@ nest::Accuracy accuracy_of(const Group& group, const std::string& file) {
 
 }  // namespace
 
-bool is_nest(const std::filesystem::path& path) { return schema_of(hdf5::File::open(path)) == schema; }
+bool is_nest(const std::filesystem::path& path) { return schema_of(hdf5::File::open(path)) == nest_schema; }
 
 NestSummary read_nest(const std::filesystem::path& path) {
   const hdf5::File file = hdf5::File::open(path);
   const std::string name = path.string();
-  require_schema(file, name, "a nesting", schema, nest_schema_version);
+  require_schema(file, name, "a nesting", nest_schema, nest_schema_version);
   NestSummary nest;
   nest.path = path;
   nest.kind = file.text("kind");

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "json_list.hpp"
 #include "parse.hpp"
 #include "record/record.hpp"
 
@@ -7,13 +8,6 @@ namespace kreisel::core {
 namespace {
 
 using nlohmann::json;
-
-json list(const Vec3& v) { return {v[0], v[1], v[2]}; }
-json list(const Moments& s) { return std::vector<double>(s.data(), s.data() + s.size()); }
-
-json rows(const Eigen::Matrix3d& m) {
-  return {list(Vec3(m.row(0))), list(Vec3(m.row(1))), list(Vec3(m.row(2)))};
-}
 
 json to_json(const Seconds& s) {
   return {{"setup", s.setup}, {"kernels", s.kernels}, {"solve", s.solve}, {"total", s.total}};
@@ -94,7 +88,7 @@ json rounding(const RoundingCost& cost) {
 json cuts(const Voids& voids) {
   json all = json::array();
   for (const Cut& c : voids.cuts)
-    all.push_back({{"normal", list(c.normal)}, {"offset", c.offset}, {"opens", c.opens}});
+    all.push_back({{"normal", json_list(c.normal)}, {"offset", c.offset}, {"opens", c.opens}});
   return all;
 }
 
@@ -105,7 +99,7 @@ json verified(const Verified& v) {
   all["ok"] = v.verdict.ok;
   all["text"] = v.verdict.text;
   all["file"] = v.file;
-  all["moments_body"] = list(v.moments);
+  all["moments_body"] = json_list(v.moments);
   all["rounding_mismatch"] = v.rounding_mismatch;
   all["triangles"] = v.triangles;
   all["void_triangles"] = v.void_triangles;
@@ -120,9 +114,12 @@ json verified(const Verified& v) {
 }
 
 json frame(const RunResult& r) {
-  return {{"origin", list(r.frame.origin)}, {"rotation", rows(r.frame.rotation)},
-          {"length", r.length_mm},          {"mass", r.mass_unit_grams},
-          {"axis", list(r.axis)},           {"contact", list(r.contact)}};
+  return {{"origin", json_list(r.frame.origin)},
+          {"rotation", json_rows(r.frame.rotation)},
+          {"length", r.length_mm},
+          {"mass", r.mass_unit_grams},
+          {"axis", json_list(r.axis)},
+          {"contact", json_list(r.contact)}};
 }
 
 /// NaN and infinity become null, bytes that are no UTF-8 the replacement character: what dump() writes, read
@@ -162,15 +159,15 @@ json to_json(const RunResult& r) {
       {"dual_infeasibility", o.dual_infeasibility},
       {"complementarity", o.complementarity},
       {"local_minimum", o.local_minimum ? local_minimum(*o.local_minimum) : json()},
-      {"moments", list(r.model_moments(part ? r.rounding.moments : o.moments))},
-      {"moments_optimum", list(r.model_moments(o.moments))},
+      {"moments", json_list(r.model_moments(part ? r.rounding.moments : o.moments))},
+      {"moments_optimum", json_list(r.model_moments(o.moments))},
       {"moments_order", moment_names},
       {"moments_frame",
        {{"origin", {0.0, 0.0, 0.0}},
-        {"axes", rows(Eigen::Matrix3d::Identity())},
+        {"axes", json_rows(Eigen::Matrix3d::Identity())},
         {"mass_unit", "g"},
         {"length_unit", "mm"}}},
-      {"moments_body", list(o.moments)},
+      {"moments_body", json_list(o.moments)},
       {"seconds", to_json(r.median)},
       {"samples", samples},
       {"whole_seconds", r.whole_seconds},

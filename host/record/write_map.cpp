@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "json_list.hpp"
 #include "record/common_groups.hpp"
 #include "record/hdf5_file.hpp"
 #include "record/map_record.hpp"
@@ -15,8 +16,6 @@ namespace {
 
 using hdf5::Group;
 using nlohmann::json;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void write_vectors(Group& group, const std::string& name, const std::vector<Vec3>& vectors,
                    const char* units) {
@@ -75,8 +74,6 @@ void write_domain(Group group, const OrientationMap& map) {
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation = map.frame.rotation;
   group.write("frame_rotation", {rotation.data(), 9}, {3, 3}, {"1", {"x", "y", "z"}});
 }
-
-json list(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 json to_json(const MapAnswer& answer) {
   constexpr const char* names[] = {"undecided", "feasible", "infeasible"};
@@ -140,13 +137,14 @@ json to_json(const OrientationMap& map) {
   for (std::size_t a = 0; a < map.axes.size(); ++a) {
     json answers = json::array();
     for (std::size_t c = 0; c < map.cases.size(); ++c) answers.push_back(to_json(map.at(a, c)));
-    axes.push_back({{"axis", list(map.axes[a])}, {"contact", list(map.contacts[a])}, {"answers", answers}});
+    axes.push_back(
+        {{"axis", json_list(map.axes[a])}, {"contact", json_list(map.contacts[a])}, {"answers", answers}});
   }
   json best = nullptr;
   if (const auto place = map.best()) {
     best = to_json(map.at(place->axis, place->at_case));
-    best["axis"] = list(map.axes[place->axis]);
-    best["contact"] = list(map.contacts[place->axis]);
+    best["axis"] = json_list(map.axes[place->axis]);
+    best["contact"] = json_list(map.contacts[place->axis]);
     best["draft"] = cases[place->at_case]["draft"];
     best["text"] = map.at(place->axis, place->at_case).verdict.text;
     best["command"] = map.command(*place);

@@ -12,12 +12,6 @@ namespace {
 
 using hdf5::Group;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-void write_vector(Group& group, const std::string& name, const Vec3& v, const char* units) {
-  group.write(name, {v.data(), 3}, {3}, {units, {"x", "y", "z"}});
-}
-
 void write_placement(Group group, const NestResult& result) {
   const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> transform = result.transform;
   group.write("transform", {transform.data(), 12}, {3, 4},

@@ -17,10 +17,6 @@ constexpr const char* model_moment_units = "g (s1), g mm (sx sy sz), g mm^2 (res
 
 const std::vector<std::string> xyz = {"x", "y", "z"};
 
-void write_vector(Group& group, const std::string& name, const Vec3& v, const char* units) {
-  group.write(name, {v.data(), 3}, {3}, {units, xyz});
-}
-
 void write_moments(Group& group, const std::string& name, const Moments& s,
                    const char* units = body_moment_units) {
   group.write(name, {s.data(), moment_names.size()}, {moment_names.size()},

@@ -15,8 +15,6 @@ namespace {
 using hdf5::Group;
 using nlohmann::json;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 void write_ranges(Group& group, const std::string& name, const std::vector<SpeedRange>& ranges) {
   std::vector<double> values;
   for (const SpeedRange& range : ranges) values.insert(values.end(), {range.low, range.high});

@@ -49,7 +49,11 @@ class Trials {
  public:
   Trials(const RunConfig& config, const Body& body, const Problem& problem, device::Device& device,
          const Control& control)
-      : config_(config), body_(body), problem_(problem), device_(device), control_(control) {}
+      : body_(body),
+        lines_(solid_lines(body, config.grid)),
+        problem_(problem),
+        device_(device),
+        control_(control) {}
 
   /// Is there a filling that meets the constraints?
   [[nodiscard]] bool feasible(Formulation& quadric, const MassModel& mass) const {
@@ -60,7 +64,7 @@ class Trials {
   /// The exact domain of a wall in millimetres; nothing where no interior is left.
   [[nodiscard]] std::optional<ExactColumns> domain(double wall_mm) const {
     try {
-      return make_exact(body_, config_.grid, {wall_mm, Wall::millimetres});
+      return make_exact(body_, lines_, {wall_mm, Wall::millimetres});
     } catch (const InputError&) {
       return std::nullopt;
     }
@@ -71,8 +75,8 @@ class Trials {
   }
 
  private:
-  const RunConfig& config_;
   const Body& body_;
+  SolidLines lines_;
   const Problem& problem_;
   device::Device& device_;
   const Control& control_;

@@ -14,12 +14,6 @@ struct RunDomain {
   std::optional<Columns> columns;
   std::optional<ExactColumns> exact;
 
-  RunDomain(const RunConfig& config, const Body& body) {
-    if (domain_of(config) == "exact")
-      exact = make_exact(body, config.grid, config.wall);
-    else
-      columns = make_columns(body, config.grid, config.wall);
-  }
   [[nodiscard]] const char* kind() const { return exact ? "exact" : "columns"; }
   [[nodiscard]] const Grid& grid() const { return exact ? exact->grid : columns->grid; }
   [[nodiscard]] double wall() const { return exact ? exact->wall : columns->wall; }

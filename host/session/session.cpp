@@ -95,6 +95,19 @@ std::shared_ptr<const Body> Session::pose_of(const RunConfig& question, const Bo
   });
 }
 
+RunDomain Session::domain_within(const RunConfig& question, const Body& pose) {
+  RunDomain domain;
+  if (kreisel::core::domain_of(question) == "exact") {
+    const auto& lines = lines_.get({body_.value(), pose.axis, pose.contact, question.grid}, [&] {
+      return std::make_shared<const SolidLines>(solid_lines(pose, question.grid));
+    });
+    domain.exact = make_exact(pose, *lines, question.wall);
+  } else {
+    domain.columns = make_columns(pose, question.grid, question.wall);
+  }
+  return domain;
+}
+
 std::shared_ptr<const Session::Laid> Session::domain_of(const RunConfig& question,
                                                         const std::shared_ptr<const Body>& pose, Along rays) {
   DomainKey key{body_.value(), pose->axis,   pose->contact, kreisel::core::domain_of(question),
@@ -112,7 +125,8 @@ std::shared_ptr<const Session::Laid> Session::domain_of(const RunConfig& questio
     if (domain_.holds(as_laid) && serves(asked, *domain_.value()->body, *pose)) return domain_.value();
   }
   return stage("domain", domain_, std::move(key), [&] {
-    return std::make_shared<const Laid>(Laid{std::make_shared<const RunDomain>(question, *pose), pose});
+    return std::make_shared<const Laid>(
+        Laid{std::make_shared<const RunDomain>(domain_within(question, *pose)), pose});
   });
 }
 

@@ -48,7 +48,8 @@ enum class Along { any_axis, own_axis };
 ///
 /// Weights, targets and drafts make a problem; densities a pose; an axis, contact point or base a pose and a
 /// problem, the rays stay (of the quadric on exact rays with a wall in mm); a wall or grid the domain and
-/// what stands on it; a size, unit or axle everything but the file.
+/// what stands on it (of exact rays another wall keeps where they cross the surface); a size, unit or axle
+/// everything but the file.
 ///
 /// One thread at a time. Two sessions in two threads are independent: each has its own queue and kernels.
 class Session {
@@ -110,6 +111,12 @@ class Session {
     Wall wall;
     bool operator==(const DomainKey&) const = default;
   };
+  struct LinesKey {
+    std::shared_ptr<const Body> body;
+    Vec3 axis, contact;
+    GridSpec grid;
+    bool operator==(const LinesKey&) const = default;
+  };
   struct FormulationKey {
     std::shared_ptr<const RunDomain> domain;
     std::string name;
@@ -133,6 +140,7 @@ class Session {
                                       const std::shared_ptr<const Body>& body);
   std::shared_ptr<const Laid> domain_of(const RunConfig& question, const std::shared_ptr<const Body>& pose,
                                         Along rays);
+  RunDomain domain_within(const RunConfig& question, const Body& pose);
   std::shared_ptr<Formulation> formulation_of(const RunConfig& question, const Laid& laid,
                                               const Problem& problem,
                                               const std::shared_ptr<device::Device>& device);
@@ -147,6 +155,7 @@ class Session {
   Kept<BodyKey, const Body> body_;
   BodySpec made_as_;  ///< the specification that body_ was made by
   Kept<PoseKey, const Body> pose_;
+  Kept<LinesKey, const SolidLines> lines_;  ///< of an exact domain: what another wall leaves as it is
   Kept<DomainKey, const Laid> domain_;
   Kept<FormulationKey, Formulation> formulation_;
   Kept<ProblemKey, const Problem> problem_;

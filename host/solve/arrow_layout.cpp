@@ -7,7 +7,7 @@
 namespace kreisel::core {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t whole(int i) { return static_cast<std::size_t>(i); }
 
 /// Where each row of K is.
 struct Place {
@@ -18,18 +18,18 @@ struct Place {
 
 std::vector<Place> places_of(int size, const std::vector<int>& border,
                              const std::vector<ArrowGroup>& groups) {
-  std::vector<Place> places(at(size));
-  for (std::size_t k = 0; k < border.size(); ++k) places[at(border[k])] = {-1, static_cast<int>(k), 0};
+  std::vector<Place> places(whole(size));
+  for (std::size_t k = 0; k < border.size(); ++k) places[whole(border[k])] = {-1, static_cast<int>(k), 0};
   for (std::size_t g = 0; g < groups.size(); ++g)
     for (std::size_t b = 0; b < groups[g].count(); ++b)
       for (int i = 0; i < groups[g].rows(); ++i)
-        places[at(groups[g].row(b, i))] = {static_cast<int>(g), static_cast<int>(b), i};
+        places[whole(groups[g].row(b, i))] = {static_cast<int>(g), static_cast<int>(b), i};
   return places;
 }
 
 /// The pair of an entry with the one nearer to the border last.
 std::pair<Place, Place> ordered(const std::vector<Place>& places, const Pattern& p, std::size_t e) {
-  Place a = places[at(p.rows[e] - p.base)], b = places[at(p.columns[e] - p.base)];
+  Place a = places[whole(p.rows[e] - p.base)], b = places[whole(p.columns[e] - p.base)];
   if (a.group < 0) std::swap(a, b);
   return {a, b};
 }
@@ -54,7 +54,7 @@ void Arrow::lay_out(const Pattern& pattern) {
   std::vector<std::vector<char>> tied(groups_.size(), std::vector<char>(border));
   for (std::size_t e = 0; e < entries; ++e)
     if (const auto [a, b] = ordered(places, pattern, e); a.group >= 0 && b.group < 0)
-      tied[at(a.group)][at(b.index)] = 1;
+      tied[whole(a.group)][whole(b.index)] = 1;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     std::vector<int> ties;
     for (std::size_t k = 0; k < border; ++k)
@@ -67,9 +67,9 @@ void Arrow::lay_out(const Pattern& pattern) {
   const auto slot = [&](std::size_t e) {
     const auto [a, b] = ordered(places, pattern, e);
     if (a.group < 0)
-      return border_at_ + at(std::min(a.index, b.index)) * border + at(std::max(a.index, b.index));
-    const ArrowGroup& group = groups_[at(a.group)];
-    return b.group < 0 ? group.tie(at(a.index), a.row, b.index) : group.own(at(a.index), a.row, b.row);
+      return border_at_ + whole(std::min(a.index, b.index)) * border + whole(std::max(a.index, b.index));
+    const ArrowGroup& group = groups_[whole(a.group)];
+    return b.group < 0 ? group.tie(whole(a.index), a.row, b.index) : group.own(whole(a.index), a.row, b.row);
   };
   std::vector<bool> written(end);
   for (std::size_t e = 0; e < entries; ++e) {

@@ -31,9 +31,9 @@ class Neighbours {
   std::vector<int> all_;
 };
 
-class Search {
+class ShapeSearch {
  public:
-  explicit Search(const Pattern& pattern)
+  explicit ShapeSearch(const Pattern& pattern)
       : size_(pattern.size),
         neighbours_(pattern),
         degree_(static_cast<std::size_t>(size_)),
@@ -107,7 +107,7 @@ class Search {
 
 std::optional<ArrowShape> ArrowShape::of(const Pattern& pattern) {
   if (pattern.size == 0) return ArrowShape{};
-  return Search(pattern).run();
+  return ShapeSearch(pattern).run();
 }
 
 }  // namespace kreisel::core

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "solve/dense.hpp"
 #include "solve/dual.hpp"
 
 namespace kreisel::core {
@@ -52,7 +53,7 @@ class Mixture {
       across.col(i - 1) = corners_[static_cast<std::size_t>(i)] - corners_[0];
     Vector weights(n);
     // Of least norm, for corners may depend on one another.
-    weights.tail(n - 1) = across.completeOrthogonalDecomposition().solve(-corners_[0]);
+    weights.tail(n - 1) = shortest_solution(across, -corners_[0]);
     weights[0] = 1 - weights.tail(n - 1).sum();
     return weights;
   }

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "solve/dense.hpp"
+
 namespace kreisel::core {
 
 Support TotalSupport::operator()(const Moments& q, bool with_hessian) {
@@ -173,8 +175,7 @@ Vector Maximiser::step(const Newton& at, std::vector<bool>& held) {
       if (more && free[static_cast<std::size_t>(i)] >= dual_.squares()) system(i, n) = system(n, i) = 1;
     Vector right = Vector::Zero(n + more);
     right.head(n) = at.value.gradient(free);
-    const Vector solution =
-        more ? Vector(system.fullPivLu().solve(right)) : Vector(system.ldlt().solve(right));
+    const Vector solution = more ? elimination(system, right) : semidefinite_solution(system, right);
     Vector d = Vector::Zero(dual_.size());
     d(free) = solution.head(n);
     bool again = false;

@@ -101,7 +101,7 @@ double natural_scale(const Task& task, const std::vector<double>& start, double 
 }
 
 template <class T>
-bool parse(const std::string& text, T& value) {
+bool parse_whole(const std::string& text, T& value) {
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   return status == std::errc() && end == text.data() + text.size();
 }
@@ -161,11 +161,11 @@ void set_ipopt_option(Ipopt::IpoptApplication& app, const std::string& name, con
   double number = 0;
   switch (option->Type()) {
     case Ipopt::OT_Integer:
-      good = parse(value, integer) && option->IsValidIntegerSetting(integer) &&
+      good = parse_whole(value, integer) && option->IsValidIntegerSetting(integer) &&
              app.Options()->SetIntegerValue(name, integer);
       break;
     case Ipopt::OT_Number:
-      good = parse(value, number) && option->IsValidNumberSetting(number) &&
+      good = parse_whole(value, number) && option->IsValidNumberSetting(number) &&
              app.Options()->SetNumericValue(name, number);
       break;
     default:

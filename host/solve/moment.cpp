@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 
 #include "error.hpp"
 #include "parse.hpp"
+#include "solve/dense.hpp"
 #include "solve/second_order.hpp"
 #include "stopwatch.hpp"
 
@@ -87,15 +87,15 @@ Phase Search::model_step(State& state, bool first) {
   model.margin = margin();
   if (!margin()) {
     model.linear = problem_.gradient(state.s);
-    const Eigen::SelfAdjointEigenSolver<Matrix10> modes(problem_.hessian(state.s));
+    const SymmetricModes modes = symmetric_modes(problem_.hessian(state.s));
     std::vector<Eigen::Index> convex;
     for (Eigen::Index i = 0; i < 10; ++i)
-      if (modes.eigenvalues()[i] > 1e-10 * modes.eigenvalues().cwiseAbs().maxCoeff()) convex.push_back(i);
+      if (modes.values[i] > 1e-10 * modes.values.cwiseAbs().maxCoeff()) convex.push_back(i);
     const auto count = static_cast<Eigen::Index>(convex.size());
     model.factor.resize(10, count);
     for (Eigen::Index i = 0; i < count; ++i) {
       const Eigen::Index mode = convex[static_cast<std::size_t>(i)];
-      model.factor.col(i) = modes.eigenvectors().col(mode) * std::sqrt(modes.eigenvalues()[mode]);
+      model.factor.col(i) = modes.vectors.col(mode) * std::sqrt(modes.values[mode]);
     }
     model.target = model.factor.transpose() * state.s;
   }
@@ -180,7 +180,7 @@ Phase Search::newton(State& state, bool descending) {
     system << Matrix10::Identity() - support.hessian * problem_.hessian(s), -support.hessian * c.transpose(),
         c, Eigen::MatrixXd::Zero(m, m);
     // Of least norm, for a symmetric body leaves multipliers undetermined.
-    const Eigen::VectorXd d = system.completeOrthogonalDecomposition().solve(-rest);
+    const Eigen::VectorXd d = shortest_solution(system, -rest);
     s += d.head<10>();
     mu += d.tail(m);
   }

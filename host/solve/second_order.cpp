@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
+
+#include "solve/dense.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -20,14 +20,6 @@ LocalMinimum undecided(std::string why) {
   LocalMinimum result;
   result.why = std::move(why);
   return result;
-}
-
-/// An orthonormal basis of what `a` sends to 0.
-Matrix kernel_of(const Matrix& a) {
-  if (a.size() == 0) return Matrix::Identity(a.cols(), a.cols());
-  Eigen::JacobiSVD<Matrix> svd(a, Eigen::ComputeFullV);
-  svd.setThreshold(1e-10);  // rows that a symmetric body makes alike agree to round-off
-  return svd.matrixV().rightCols(a.cols() - svd.rank());
 }
 
 /// The rows that count as equalities, and whether others hold that may or may not.
@@ -63,16 +55,17 @@ std::string LocalMinimum::text() const {
 
 LocalMinimum second_order(const Matrix10& g, const Matrix10& b, const Forms& rows, double zero) {
   if (!g.allFinite() || !b.allFinite()) return undecided("the quadric touches whole rays");
-  const Eigen::SelfAdjointEigenSolver<Matrix10> modes(g);
-  const double largest = modes.eigenvalues().cwiseAbs().maxCoeff();
+  const SymmetricModes modes = symmetric_modes(g);
+  const double largest = modes.values.cwiseAbs().maxCoeff();
   std::vector<Eigen::Index> range;
   for (Eigen::Index i = 0; i < 10; ++i)
-    if (modes.eigenvalues()[i] > 1e-3 * zero * largest) range.push_back(i);  // q itself is never among them
+    if (modes.values[i] > 1e-3 * zero * largest) range.push_back(i);  // q itself is never among them
   // d = root y runs through the range of G, and d . G^+ d = |y|^2.
-  const Matrix vectors = modes.eigenvectors()(Eigen::all, range);
-  const Eigen::VectorXd roots = modes.eigenvalues()(range).cwiseSqrt();
+  const Matrix vectors = modes.vectors(Eigen::all, range);
+  const Eigen::VectorXd roots = modes.values(range).cwiseSqrt();
   const Matrix root = vectors * roots.asDiagonal();
-  const Matrix tangent = kernel_of((rows.rowwise().normalized() * root).eval());
+  // Rows that a symmetric body makes alike agree to round-off.
+  const Matrix tangent = kernel_of(rows.rowwise().normalized() * root, 1e-10);
   LocalMinimum result;
   result.dimension = static_cast<int>(tangent.cols());
   if (result.dimension == 0) {
@@ -81,11 +74,11 @@ LocalMinimum second_order(const Matrix10& g, const Matrix10& b, const Forms& row
   }
   const Matrix steps = root * tangent;
   const Matrix form = Matrix::Identity(tangent.cols(), tangent.cols()) + steps.transpose() * b * steps;
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(form);
-  result.smallest = eigen.eigenvalues()[0];
-  const Eigen::VectorXd y = tangent * eigen.eigenvectors().col(0);
+  const SymmetricModes eigen = symmetric_modes(form);
+  result.smallest = eigen.values[0];
+  const Eigen::VectorXd y = tangent * eigen.vectors.col(0);
   result.direction = -(vectors * y.cwiseQuotient(roots));  // s(q + p) = s - G p
-  if (std::abs(result.smallest) <= zero * std::max(1.0, eigen.eigenvalues().cwiseAbs().maxCoeff()))
+  if (std::abs(result.smallest) <= zero * std::max(1.0, eigen.values.cwiseAbs().maxCoeff()))
     result.why = "the minimum is not isolated, as far as digits go";
   else
     result.strict = result.smallest > 0 ? Answer::yes : Answer::no;

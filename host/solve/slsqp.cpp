@@ -198,8 +198,8 @@ void add(nlopt_result (*adder)(nlopt_opt, unsigned, nlopt_mfunc, void*, const do
 }
 
 /// A solve of NLopt, with all that it uses.
-struct Search {
-  Search(const Task& task, const SolverOptions& options, const OwnOptions& own)
+struct SlsqpSearch {
+  SlsqpSearch(const Task& task, const SolverOptions& options, const OwnOptions& own)
       : nlp(make_direct_nlp(task,
                             options.from.empty() ? task.formulation.start(options.start) : options.from)),
         opt(create(*nlp)),
@@ -235,7 +235,7 @@ struct Found {
 
 /// An iteration of many cells takes NLopt half a minute, in which it can't be stopped. So it has a thread of
 /// its own, which Ctrl-C leaves behind: that ends where it would ask for the next value, or with the program.
-Found optimise(const std::shared_ptr<Search>& search) {
+Found optimise(const std::shared_ptr<SlsqpSearch>& search) {
   std::packaged_task<Found()> work([search, x = search->functions.x]() mutable {
     double scaled = 0;
     const nlopt_result result = nlopt_optimize(search->opt.get(), x.data(), &scaled);
@@ -291,7 +291,7 @@ Outcome solve_with_slsqp(const Task& task, const SolverOptions& options) {
   Outcome outcome;
   task.device.reset_kernel_seconds();
   const Stopwatch watch;
-  const auto search = std::make_shared<Search>(task, options, own);
+  const auto search = std::make_shared<SlsqpSearch>(task, options, own);
   Functions& functions = search->functions;
   auto [result, x] = optimise(search);
   functions.rethrow();

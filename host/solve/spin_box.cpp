@@ -8,8 +8,8 @@
 namespace kreisel::core {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double eps = 0x1p-53;
+constexpr double no_bound = std::numeric_limits<double>::infinity();
+constexpr double roundoff = 0x1p-53;
 constexpr MomentIndex zeros[] = {SX, SY, SXZ, SYZ};  // what the constraints hold at zero, in their order
 
 Moments unit(int k) { return Moments::Unit(k); }
@@ -29,8 +29,8 @@ class SecantRatio final : public Problem {
     if (low == high) {
       add(unit(SZ) - low * unit(S1), 0, 0);
     } else {
-      add(unit(SZ) - high * unit(S1), -infinity, 0);
-      add(unit(SZ) - low * unit(S1), 0, infinity);
+      add(unit(SZ) - high * unit(S1), -no_bound, 0);
+      add(unit(SZ) - low * unit(S1), 0, no_bound);
     }
     if (region.confines_sz()) add(unit(SZ), region.sz_low, region.sz_high);
   }
@@ -93,7 +93,7 @@ double least_between(double rate, double bend, double gamma, const Eigen::Vector
   const auto at = [&](double x, double y) {
     y = std::max(y, 0.0);
     return rate * x + bend * x * x + gamma * y * y -
-           16 * eps * (rate * std::abs(x) + bend * x * x + gamma * y * y);
+           16 * roundoff * (rate * std::abs(x) + bend * x * x + gamma * y * y);
   };
   const double width = w[1] - w[0], slope = (t[1] - t[0]) / width;
   double best = std::min(at(w[0], t[0]), at(w[1], t[1]));
@@ -165,8 +165,8 @@ CertifiedBox certify_box(const SafeSupport& support, const SpinWeights& f, const
   box.high = region.high;
   box.sz_low = region.sz_low;
   box.sz_high = region.sz_high;
-  box.u = m.u.cwiseMax(Eigen::Vector3d(0, 0, -infinity));
-  box.u /= std::max(1.0, box.u.norm()) * (1 + 4 * eps);
+  box.u = m.u.cwiseMax(Eigen::Vector3d(0, 0, -no_bound));
+  box.u /= std::max(1.0, box.u.norm()) * (1 + 4 * roundoff);
   box.mu = m.mu;
   box.nu = m.nu_low - m.nu_high;
   box.kappa = region.confines_sz() ? m.kappa : 0;
@@ -189,7 +189,7 @@ CertifiedBox certify_box(const SafeSupport& support, const SpinWeights& f, const
       box.empty = box.empty && fits(box.low, sz) && fits(box.high, sz);
       if (!region.confines_sz()) break;
     }
-    box.value = box.empty ? infinity : -infinity;
+    box.value = box.empty ? no_bound : -no_bound;
     if (!box.empty && std::isfinite(box.low)) box.value = least(f, box);  // R >= 0
     return box;
   }

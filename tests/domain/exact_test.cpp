@@ -191,6 +191,21 @@ TEST(Exact, TakesWallsThatVoxelsCannot) {
   EXPECT_NEAR(thin.interior[S1], 0.8 * 0.6 * 1.0, 1e-5);
 }
 
+TEST(Exact, OfKeptLinesIsThatOfFreshOnes) {
+  const Body body = model("kitten");
+  const SolidLines lines = solid_lines(body, resolution(40));
+  for (const Wall wall :
+       {Wall{2, Wall::percent}, {6, Wall::percent}, {0.3, Wall::cells}, {2, Wall::percent}}) {
+    const ExactColumns kept = make_exact(body, lines, wall), fresh = make_exact(body, resolution(40), wall);
+    EXPECT_EQ(kept.wall, fresh.wall);
+    EXPECT_TRUE(std::ranges::equal(kept.intervals, fresh.intervals,
+                                   [](const ExactInterval& a, const ExactInterval& b) {
+                                     return a.ix == b.ix && a.iy == b.iy && a.z0 == b.z0 && a.z1 == b.z1;
+                                   }));
+    EXPECT_EQ(kept.interior, fresh.interior);
+  }
+}
+
 TEST(Exact, RefusesAWallThatLeavesNoInterior) {
   try {
     (void)make_exact(brick(), resolution(10), {31, Wall::percent});

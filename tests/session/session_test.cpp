@@ -132,6 +132,20 @@ TEST_F(OfASession, AWallMakesTheDomain) {
   same_as_cold(thicker, {"domain", "formulation"});
 }
 
+TEST_F(OfASession, WallAfterWallAnswersAsFreshSessionsDo) {
+  ask(session_, question());
+  RunConfig other = question();
+  for (const double mm : {1.5, 5.0, 0.2, 3.0}) {
+    other.wall.value = mm;
+    same_as_cold(other, {"domain", "formulation"});
+  }
+  other.grid.resolution = 24;
+  same_as_cold(other, {"domain", "formulation"});
+  other.body.axis = Vec3(0.3, 0, 1);
+  other.wall = {2, Wall::percent};
+  same_as_cold(other, {"pose", "domain", "problem", "formulation"}, 1e-9);  // laid anew, as above
+}
+
 TEST_F(OfASession, ASizeMakesAllButTheMesh) {
   ask(session_, question());
   RunConfig larger = question();

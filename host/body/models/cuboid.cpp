@@ -9,9 +9,9 @@ namespace {
 const std::array<int, 3> tens_of_mm = {6, 4, 3};
 
 /// Numbers the points of the cubic lattice that lie on the surface.
-class Numbering {
+class LatticeNumbering {
  public:
-  Numbering(TriangleMesh& mesh, double step) : mesh_(mesh), step_(step) {}
+  LatticeNumbering(TriangleMesh& mesh, double step) : mesh_(mesh), step_(step) {}
 
   std::uint32_t operator()(const std::array<int, 3>& at) {
     const auto [entry, fresh] = numbers_.try_emplace(at, std::uint32_t(mesh_.vertices.size()));
@@ -32,7 +32,7 @@ TriangleMesh cuboid_shape(int fineness) {
   // 216 k^2 triangles: two for each square of 10 / k mm.
   const int k = std::max(1, int(std::lround(std::sqrt(20.0 / 216) * fineness)));
   TriangleMesh mesh;
-  Numbering number(mesh, 10.0 / k);
+  LatticeNumbering number(mesh, 10.0 / k);
   for (std::size_t a = 0; a < 3; ++a) {
     const std::size_t u = (a + 1) % 3, v = (a + 2) % 3;
     for (const bool far : {false, true})

@@ -32,7 +32,7 @@ double head(const Vec3& p, const Vec3& m) {
   return f;
 }
 
-double field(const Vec3& p) {
+double kitten_field(const Vec3& p) {
   using namespace blend;
   static const Tube tail(tail_beads);
   const Vec3 m = mirrored(p);
@@ -51,8 +51,10 @@ double field(const Vec3& p) {
 }  // namespace
 
 TriangleMesh kitten_shape(int fineness) {
-  static const Drawing drawing{
-      field, {Vec3(-43, -47, 0), Vec3(58.872, 46.018, 153.593)}, Vec3(101, 92, 154) * (60.0 / 154), 0.93};
+  static const Drawing drawing{kitten_field,
+                               {Vec3(-43, -47, 0), Vec3(58.872, 46.018, 153.593)},
+                               Vec3(101, 92, 154) * (60.0 / 154),
+                               0.93};
   return mesh_of(drawing, fineness);
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 // Drawn in units of about a millimetre: z up, the face towards -y; symmetric in x. Sockets and nose are
 // shallow, so that it is nearly convex, as a sugar skull is.
-double field(const Vec3& p) {
+double skull_field(const Vec3& p) {
   using namespace blend;
   const Vec3 m = mirrored(p);
   const double cranium = ellipsoid(p, Vec3(0, 5, 37), Vec3(24, 29, 25));
@@ -22,7 +22,7 @@ double field(const Vec3& p) {
 }  // namespace
 
 TriangleMesh skull_shape(int fineness) {
-  static const Drawing drawing{field,
+  static const Drawing drawing{skull_field,
                                {Vec3(-23.9789, -26.78184, 0), Vec3(23.9789, 34, 62)},
                                Vec3(47.9578, 60.78184, 62) * (60.0 / 62),
                                0.8};

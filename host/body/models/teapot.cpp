@@ -24,7 +24,7 @@ double handle(const Vec3& p) {
   return std::hypot(round, q.y() * 0.9) - 2.3;
 }
 
-double field(const Vec3& p) {
+double teapot_field(const Vec3& p) {
   using namespace blend;
   static const Tube spout(spout_beads);
   double pot = ellipsoid(p, Vec3(0, 0, 15.0), Vec3(20.0, 20.0, 15.5));
@@ -41,8 +41,10 @@ double field(const Vec3& p) {
 }  // namespace
 
 TriangleMesh teapot_shape(int fineness) {
-  static const Drawing drawing{
-      field, {Vec3(-31.714, -20, 0), Vec3(34.496, 20, 38.1)}, Vec3(66.21, 40, 38.1) * (60 / 66.21), 1.11};
+  static const Drawing drawing{teapot_field,
+                               {Vec3(-31.714, -20, 0), Vec3(34.496, 20, 38.1)},
+                               Vec3(66.21, 40, 38.1) * (60 / 66.21),
+                               1.11};
   return mesh_of(drawing, fineness);
 }
 

@@ -12,7 +12,7 @@ namespace kreisel::core {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL is little-endian");
-constexpr std::size_t header_bytes = 80;
+constexpr std::size_t stl_header_bytes = 80;
 constexpr char header_text[] = "kreisel binary STL, units mm";  // must not begin with "solid"
 
 void append(std::string& bytes, const Vec3& v) {
@@ -28,7 +28,7 @@ std::string encode_stl(const std::vector<TriangleMesh>& parts, const std::string
                              name);
   for (Vec3& v : mesh.vertices) v = in_single_precision(v);  // normals are those of what is written
   std::string bytes = header_text;
-  bytes.resize(header_bytes);
+  bytes.resize(stl_header_bytes);
   const auto count = std::uint32_t(mesh.triangles.size());
   bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
   for (const auto& [a, b, c] : mesh.triangles) {

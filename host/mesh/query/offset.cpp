@@ -1,8 +1,11 @@
 #include "mesh/query/offset.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "mesh/query/band.hpp"
 #include "mesh/query/reach.hpp"
 #include "mesh/query/sides.hpp"
 #include "parallel.hpp"
@@ -10,135 +13,240 @@
 namespace kreisel::core {
 namespace {
 
-constexpr int band_rows = 16;
+constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 
-/// The lines of a few neighbouring rows while pieces of the shell are taken out of them.
-class Band {
- public:
-  Band(const LineRaster& raster, int first_row, std::vector<std::vector<Span>>& lines)
-      : raster_(raster),
-        first_(first_row),
-        end_(std::min(first_row + band_rows, raster.ny)),
-        lines_(lines),
-        hull_(static_cast<std::size_t>(end_ - first_) * raster.nx) {
-    for (std::size_t i = 0; i < hull_.size(); ++i) hull_[i] = hull_of(line(i));
-  }
+/// Below this height, in longest sides, a triangle's normal is not believed: round-off turns it by 1e-16 over
+/// the height.
+constexpr double thin = 1e-5;
+/// By which boxes are widened, in walls: far above what `thin` leaves to a normal.
+constexpr double margin = 1e-6;
 
-  [[nodiscard]] bool meets(double y0, double y1) const {
-    return y1 >= raster_.y(first_) - slack() && y0 <= raster_.y(end_ - 1) + slack();
-  }
-
-  /// Takes out what `shape` says of every line that it may reach.
-  template <class Shape>
-  void remove(const Shape& shape) {
-    const auto [y0, y1] = shape.rows();
-    const int j0 = std::max(first_, at_least((y0 - raster_.y0) / raster_.h));
-    const int j1 = std::min(end_ - 1, at_most((y1 - raster_.y0) / raster_.h));
-    for (int j = j0; j <= j1; ++j) {
-      const double y = raster_.y(j);
-      const auto [x0, x1] = shape.columns(y);
-      const int i0 = std::max(0, at_least((x0 - raster_.x0) / raster_.h));
-      const int i1 = std::min(raster_.nx - 1, at_most((x1 - raster_.x0) / raster_.h));
-      const std::size_t row = static_cast<std::size_t>(j - first_) * raster_.nx;
-      for (int i = i0; i <= i1; ++i) {
-        const Span& hull = hull_[row + i];
-        if (!(hull.z0 < hull.z1)) continue;
-        const Span span = shape.span(raster_.x(i), y);
-        if (span.z0 < span.z1 && span.z0 < hull.z1 && span.z1 > hull.z0) subtract(row + i, span);
-      }
-    }
-  }
-
-  void drop_short_ones() {
-    for (std::size_t i = 0; i < hull_.size(); ++i)
-      std::erase_if(line(i), [&](const Span& s) { return s.z1 - s.z0 < 1e-7 * raster_.h; });
-  }
-
- private:
-  /// A line on the rim of a shape must not be missed for the rounding of its place in the raster.
-  [[nodiscard]] double slack() const { return 1e-6 * raster_.h; }
-  static int at_least(double i) { return static_cast<int>(std::ceil(std::clamp(i, -1e9, 1e9) - 1e-6)); }
-  static int at_most(double i) { return static_cast<int>(std::floor(std::clamp(i, -1e9, 1e9) + 1e-6)); }
-
-  [[nodiscard]] std::vector<Span>& line(std::size_t i) const {
-    return lines_[static_cast<std::size_t>(first_) * raster_.nx + i];
-  }
-
-  static Span hull_of(const std::vector<Span>& line) {
-    return line.empty() ? Span{0, 0} : Span{line.front().z0, line.back().z1};
-  }
-
-  void subtract(std::size_t i, const Span& out) {
-    auto& spans = line(i);
-    for (std::size_t k = 0; k < spans.size(); ++k) {
-      Span& s = spans[k];
-      if (s.z1 <= out.z0) continue;
-      if (s.z0 >= out.z1) break;
-      const Span above{out.z1, s.z1};
-      const bool left_below = s.z0 < out.z0, left_above = above.z0 < above.z1;
-      if (left_below) s.z1 = out.z0;
-      if (left_below && left_above) {
-        spans.insert(spans.begin() + static_cast<std::ptrdiff_t>(k) + 1, above);
-        break;
-      }
-      if (left_below) continue;
-      if (left_above) {
-        s = above;
-        break;
-      }
-      spans.erase(spans.begin() + static_cast<std::ptrdiff_t>(k));
-      --k;
-    }
-    hull_[i] = hull_of(spans);
-  }
-
-  const LineRaster& raster_;
-  int first_, end_;
-  std::vector<std::vector<Span>>& lines_;
-  std::vector<Span> hull_;  ///< of what is left of each line; empty: nothing
-};
-
-/// Edges as pairs of vertices, each once.
-std::vector<std::array<std::uint32_t, 2>> edges_of(const TriangleMesh& mesh) {
-  std::vector<std::array<std::uint32_t, 2>> edges;
-  for_each_edge(sorted_sides(mesh), [&](auto first, auto) { edges.push_back({first->low, first->high}); });
-  return edges;
+/// Where each of things with keys below `most` goes when they are sorted by them.
+std::vector<std::uint32_t> sorted_places(const std::vector<std::uint32_t>& keys, std::uint32_t most) {
+  std::vector<std::uint32_t> next(most + 1, 0), place(keys.size());
+  for (const std::uint32_t k : keys) ++next[k + 1];
+  for (std::uint32_t k = 1; k <= most; ++k) next[k] += next[k - 1];
+  for (std::size_t i = 0; i < keys.size(); ++i) place[i] = next[keys[i]]++;
+  return place;
 }
 
-std::vector<std::uint32_t> used_vertices(const TriangleMesh& mesh) {
-  std::vector<bool> used(mesh.vertices.size(), false);
+/// The same triangles without vertices of none, in rows of small squares seen from above: what a band of
+/// lines reads lies close together.
+TriangleMesh in_rows(const TriangleMesh& mesh) {
+  constexpr std::uint32_t squares = 128, unused = squares * squares;
+  const Box box = bounding_box(mesh);
+  const double per_square = squares / std::max({box.extent()[0], box.extent()[1], 1e-300});
+  std::vector<std::uint32_t> square(mesh.vertices.size(), unused);
   for (const Triangle& t : mesh.triangles)
-    for (const std::uint32_t v : t) used[v] = true;
-  std::vector<std::uint32_t> vertices;
-  for (std::uint32_t v = 0; v < used.size(); ++v)
-    if (used[v]) vertices.push_back(v);
-  return vertices;
+    for (const std::uint32_t v : t) {
+      const Vec3 at = (mesh.vertices[v] - box.lo) * per_square;
+      const auto index = [](double x) { return std::min(static_cast<std::uint32_t>(x), squares - 1); };
+      square[v] = index(at[0]) + squares * index(at[1]);
+    }
+  const std::vector<std::uint32_t> vertex = sorted_places(square, unused + 1);
+  TriangleMesh sorted;
+  sorted.vertices.resize(mesh.vertices.size() - static_cast<std::size_t>(std::ranges::count(square, unused)));
+  for (std::size_t v = 0; v < vertex.size(); ++v)
+    if (square[v] != unused) sorted.vertices[vertex[v]] = mesh.vertices[v];
+
+  std::vector<std::uint32_t> first(mesh.triangles.size());
+  for (std::size_t t = 0; t < first.size(); ++t) first[t] = square[mesh.triangles[t][0]];
+  const std::vector<std::uint32_t> triangle = sorted_places(first, unused);
+  sorted.triangles.resize(mesh.triangles.size());
+  for (std::size_t t = 0; t < triangle.size(); ++t) {
+    const auto [i, j, k] = mesh.triangles[t];
+    sorted.triangles[triangle[t]] = {vertex[i], vertex[j], vertex[k]};
+  }
+  return sorted;
 }
+
+double longest_side_squared(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+}
+
+Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 n = (b - a).cross(c - a);
+  const double area = n.norm();
+  if (!(area > thin * longest_side_squared(a, b, c))) return Vec3::Zero();
+  return n / area;
+}
+
+std::vector<std::array<std::uint32_t, 3>> neighbours_of(const TriangleMesh& mesh) {
+  std::vector<std::array<std::uint32_t, 3>> across(mesh.triangles.size(), {nobody, nobody, nobody});
+  for_each_edge(sorted_sides(mesh), [&](auto first, auto last) {
+    if (last - first != 2) return;
+    across[first[0].triangle][first[0].corner] = first[1].triangle;
+    across[first[1].triangle][first[1].corner] = first[0].triangle;
+  });
+  return across;
+}
+
+/// How far off a piece nothing is farther than the wall from its corners.
+/// @param cover_squared  of the piece: every point of it is as near to a corner
+double covered_height(double wall, double cover_squared) {
+  return std::sqrt(std::max(0.0, wall * wall - 1.001 * cover_squared));
+}
+
+template <class... Others>
+Box box_of(const Vec3& first, const Others&... others) {
+  Box box{first, first};
+  const auto hold = [&](const Vec3& p) {
+    box.lo = box.lo.cwiseMin(p);
+    box.hi = box.hi.cwiseMax(p);
+  };
+  (hold(others), ...);
+  return box;
+}
+
+/// Everything that is a point of one and a point of the other, added.
+Box sum(const Box& a, const Box& b) { return {a.lo + b.lo, a.hi + b.hi}; }
+
+Box widened(const Box& box, double by) { return {box.lo - Vec3::Constant(by), box.hi + Vec3::Constant(by)}; }
 
 }  // namespace
 
-void remove_shell(const TriangleMesh& mesh, double wall, const LineRaster& raster,
-                  std::vector<std::vector<Span>>& lines) {
-  const auto corners = used_vertices(mesh);
-  const auto edges = edges_of(mesh);
-  const auto& v = mesh.vertices;
-  const std::size_t bands = static_cast<std::size_t>((raster.ny + band_rows - 1) / band_rows);
+/// The pieces near one triangle, taken out of a band.
+class ShellPieces::Cutter {
+ public:
+  Cutter(const ShellPieces& pieces, double wall, Band& band) : p_(pieces), wall_(wall), band_(band) {}
+
+  void remove_prism(std::uint32_t t) {
+    const auto [a, b, c] = corners(t);
+    const double height = covered_height(wall_, longest_side_squared(a, b, c) / 3);
+    const Box triangle = box_of(a, b, c);
+    const Vec3& n = p_.normals_[t];
+    if (n.isZero())
+      prism(t, window(triangle, wall_), {});
+    else
+      prism(t, window(sum(triangle, box_of(height * n, wall_ * n))),
+            window(sum(triangle, box_of(-height * n, -wall_ * n))));
+  }
+
+  /// Of the side from corner k to the next, once for both triangles beside it.
+  void remove_cylinder(std::uint32_t t, std::size_t k) {
+    const std::uint32_t other = p_.across_[t][k];
+    if (other != nobody && other < t) return;
+    const Triangle& own = p_.mesh_.triangles[t];
+    const Vec3 &a = vertex(own[k]), &b = vertex(own[(k + 1) % 3]);
+    if (a == b) return;
+    const Box edge = box_of(a, b);
+    if (other == nobody || p_.normals_[t].isZero() || p_.normals_[other].isZero())
+      return cylinder(a, b, window(edge, wall_));
+    const Triangle& theirs = p_.mesh_.triangles[other];
+    std::size_t opposite = 0;
+    while (theirs[opposite] == own[k] || theirs[opposite] == own[(k + 1) % 3]) ++opposite;
+    wedge(a, b, edge, p_.normals_[t], vertex(own[(k + 2) % 3]) - a, p_.normals_[other],
+          vertex(theirs[opposite]) - a);
+  }
+
+ private:
+  [[nodiscard]] const Vec3& vertex(std::uint32_t i) const { return p_.mesh_.vertices[i]; }
+  [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t t) const {
+    const Triangle& v = p_.mesh_.triangles[t];
+    return {vertex(v[0]), vertex(v[1]), vertex(v[2])};
+  }
+  [[nodiscard]] Window window(const Box& box, double by = 0) const {
+    return band_.window(widened(box, by + margin * wall_));
+  }
+
+  void prism(std::uint32_t t, const Window& above, const Window& below) {
+    if (!band_.reaches(above) && !band_.reaches(below)) return;
+    const auto [a, b, c] = corners(t);
+    const reach::Prism prism(a, b, c, wall_);
+    if (prism.flat()) return;
+    band_.remove(prism, above);
+    band_.remove(prism, below);
+  }
+
+  void cylinder(const Vec3& a, const Vec3& b, const Window& w) {
+    if (band_.reaches(w)) band_.remove(reach::Cylinder(a, b, wall_), w);
+  }
+
+  /// Only points from which both triangles fall away from the edge can be nearest to it. Seen along the edge
+  /// they are a sector between two of the triangles' normals.
+  void wedge(const Vec3& a, const Vec3& b, const Box& edge, const Vec3& n, const Vec3& to_own,
+             const Vec3& other_n, const Vec3& to_other) {
+    const double height = covered_height(wall_, (b - a).squaredNorm() / 4);
+    // Where the triangles are nearly in a plane, round-off must not say on which side they fall away.
+    constexpr double flat = 1e-3;
+    if (const double turn = n.dot(other_n); std::abs(turn) > 1 - flat * flat / 2) {
+      const Vec3 ahead = n.cross(b - a);
+      if ((ahead.dot(to_own) > 0) == (ahead.dot(to_other) > 0)) return cylinder(a, b, window(edge, wall_));
+      const Vec3 same = turn > 0 ? other_n : Vec3(-other_n);
+      for (const double s : {1.0, -1.0})
+        cylinder(
+            a, b,
+            window(sum(edge, box_of(s * height * n, s * height * same, s * wall_ * n, s * wall_ * same))));
+      return;
+    }
+    const Vec3 m = n.dot(to_other) > 0 ? -n : n, other_m = other_n.dot(to_own) > 0 ? -other_n : other_n;
+    const double cosine = m.dot(other_m);
+    if (cosine < -0.5) return cylinder(a, b, window(edge, wall_));
+    const Vec3 tip = (m + other_m) / (1 + cosine);  // where the tangents at the sector's ends meet
+    cylinder(
+        a, b,
+        window(sum(edge, box_of(height * m, height * other_m, wall_ * m, wall_ * other_m, wall_ * tip))));
+  }
+
+  const ShellPieces& p_;
+  double wall_;
+  Band& band_;
+};
+
+ShellPieces::ShellPieces(const TriangleMesh& mesh)
+    : mesh_(in_rows(mesh)), normals_(mesh_.triangles.size()), across_(neighbours_of(mesh_)) {
+  for (std::size_t t = 0; t < normals_.size(); ++t) {
+    const Triangle& v = mesh_.triangles[t];
+    normals_[t] = normal_of(mesh_.vertices[v[0]], mesh_.vertices[v[1]], mesh_.vertices[v[2]]);
+  }
+}
+
+LineSpans ShellPieces::without_shell(double wall, const LineRaster& raster, const LineSpans& lines) const {
+  const auto& v = mesh_.vertices;
+  // As many rows as make the work even on a few threads, yet so many that few pieces reach into two bands.
+  const int rows = std::max(8, (raster.ny + 15) / 16);
+  const auto bands = static_cast<std::size_t>((raster.ny + rows - 1) / rows);
+  std::vector<std::vector<std::uint32_t>> balls(bands), triangles(bands);
+  const auto list = [&](std::vector<std::vector<std::uint32_t>>& of, std::uint32_t what, double y0,
+                        double y1) {
+    const double first = (y0 - (1 + margin) * wall - raster.y0) / raster.h - margin,
+                 last = (y1 + (1 + margin) * wall - raster.y0) / raster.h + margin;
+    if (last < 0 || first > raster.ny) return;
+    const auto from = static_cast<std::size_t>(std::max(first, 0.0)) / static_cast<std::size_t>(rows),
+               to =
+                   static_cast<std::size_t>(std::min(last, raster.ny - 1.0)) / static_cast<std::size_t>(rows);
+    for (std::size_t b = from; b <= to && b < bands; ++b) of[b].push_back(what);
+  };
+  for (std::uint32_t i = 0; i < v.size(); ++i) list(balls, i, v[i][1], v[i][1]);
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+    const Triangle& k = mesh_.triangles[t];
+    const auto [y0, y1] = std::minmax({v[k[0]][1], v[k[1]][1], v[k[2]][1]});
+    list(triangles, t, y0, y1);
+  }
+
+  std::vector<LineSpans> parts(bands);
   parallel_for(bands, [&](std::size_t b) {
-    Band band(raster, static_cast<int>(b) * band_rows, lines);
-    // Balls first: the cheapest, and on a fine mesh they leave little for the others.
-    for (const std::uint32_t i : corners)
-      if (band.meets(v[i][1] - wall, v[i][1] + wall)) band.remove(reach::Ball(v[i], wall));
-    for (const Triangle& t : mesh.triangles) {
-      const auto [y0, y1] = std::minmax({v[t[0]][1], v[t[1]][1], v[t[2]][1]});
-      if (band.meets(y0 - wall, y1 + wall))
-        if (const reach::Prism prism(v[t[0]], v[t[1]], v[t[2]], wall); !prism.flat()) band.remove(prism);
+    const int first = static_cast<int>(b) * rows;
+    Band band(raster, first, std::min(first + rows, raster.ny), lines);
+    // A few everywhere first: they leave little for the others.
+    constexpr std::size_t stride = 16;
+    for (std::size_t from = 0; from < stride; ++from)
+      for (std::size_t i = from; i < balls[b].size(); i += stride) band.remove_ball(v[balls[b][i]], wall);
+    Cutter cutter(*this, wall, band);
+    for (const std::uint32_t t : triangles[b]) {
+      cutter.remove_prism(t);
+      for (std::size_t k = 0; k < 3; ++k) cutter.remove_cylinder(t, k);
     }
-    for (const auto& [i, j] : edges) {
-      const auto [y0, y1] = std::minmax(v[i][1], v[j][1]);
-      if (band.meets(y0 - wall, y1 + wall) && v[i] != v[j]) band.remove(reach::Cylinder(v[i], v[j], wall));
-    }
-    band.drop_short_ones();
+    parts[b] = band.left(1e-7 * raster.h);
   });
+  LineSpans all;
+  all.first.reserve(lines.first.size());
+  for (const LineSpans& part : parts) {
+    const auto before = static_cast<std::uint32_t>(all.spans.size());
+    for (std::size_t k = 1; k < part.first.size(); ++k) all.first.push_back(before + part.first[k]);
+    all.spans.insert(all.spans.end(), part.spans.begin(), part.spans.end());
+  }
+  return all;
 }
 
 }  // namespace kreisel::core

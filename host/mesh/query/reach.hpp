@@ -1,4 +1,4 @@
-// reach.hpp - the points within a distance of a corner, an edge or a triangle, along vertical lines.
+// reach.hpp - the points within a distance of an edge or a triangle, along vertical lines.
 #pragma once
 
 #include <array>
@@ -17,30 +17,6 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Below this a direction counts as horizontal (or vertical): quotients stay finite. It is so small that a
 /// line as long as a double can tell stays on the same side.
 inline constexpr double no_slope = 1e-100;
-
-/// The points within a distance of a corner.
-class Ball {
- public:
-  Ball(const Vec3& centre, double radius) : centre_(centre), radius_(radius) {}
-  [[nodiscard]] std::pair<double, double> rows() const { return around(centre_[1], radius_); }
-  [[nodiscard]] std::pair<double, double> columns(double y) const {
-    const double dy = y - centre_[1];
-    return around(centre_[0], std::sqrt(std::max(0.0, radius_ * radius_ - dy * dy)));
-  }
-  [[nodiscard]] Span span(double x, double y) const {
-    const double dx = x - centre_[0], dy = y - centre_[1];
-    const double square = radius_ * radius_ - dx * dx - dy * dy;
-    if (!(square > 0)) return {0, 0};
-    const double half = std::sqrt(square);
-    return {centre_[2] - half, centre_[2] + half};
-  }
-
- private:
-  static std::pair<double, double> around(double c, double r) { return {c - r, c + r}; }
-
-  Vec3 centre_;
-  double radius_;
-};
 
 /// A rectangle in the xy-plane along any direction: what a shape's shadow lies in.
 struct Footprint {

@@ -5,7 +5,7 @@
 
 namespace kreisel::core::nest {
 namespace {
-constexpr double nothing = -std::numeric_limits<double>::infinity();
+constexpr double not_placed = -std::numeric_limits<double>::infinity();
 }
 
 PlacementObjective::Asked PlacementObjective::allowed(std::span<const double> positions,
@@ -23,7 +23,7 @@ PlacementObjective::Asked PlacementObjective::allowed(std::span<const double> po
 
 std::vector<double> ScaleInPosition::values(std::span<const double> positions,
                                             std::span<const double> floors) {
-  std::vector<double> values(floors.size(), nothing);
+  std::vector<double> values(floors.size(), not_placed);
   // A copy of no size is none, and no feasibility test takes it.
   Asked worth;
   const Asked asked = allowed(positions, floors.size());
@@ -39,7 +39,7 @@ std::vector<double> ScaleInPosition::values(std::span<const double> positions,
 }
 
 std::vector<double> LargestScale::values(std::span<const double> positions, std::span<const double> floors) {
-  std::vector<double> values(floors.size(), nothing);
+  std::vector<double> values(floors.size(), not_placed);
   const Asked asked = allowed(positions, floors.size());
   std::vector<SearchLimits> limits;
   for (const std::size_t i : asked.index)

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +13,17 @@ namespace kreisel::core {
 namespace {
 
 using Lines = std::vector<std::vector<Span>>;
+
+void remove_shell(const TriangleMesh& mesh, double wall, const LineRaster& raster, Lines& lines) {
+  LineSpans spans;
+  for (const auto& line : lines) {
+    spans.spans.insert(spans.spans.end(), line.begin(), line.end());
+    spans.end_line();
+  }
+  const LineSpans left = ShellPieces(mesh).without_shell(wall, raster, spans);
+  ASSERT_EQ(left.lines(), lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) lines[i].assign(left[i].begin(), left[i].end());
+}
 
 /// What is left of the line x, y from z0 to z1.
 std::vector<Span> left_of(const TriangleMesh& mesh, double wall, double x, double y, double z0 = -10,
@@ -145,6 +157,87 @@ TEST(Offset, OfNeedlesAgreesWithTheirDistances) {
       }
       expect_offset(mesh, 0.1, 40, 0x1p-44);
     }
+}
+
+/// A closed mesh of many small triangles, crumpled: sharp and blunt edges, folds both ways, sheets through
+/// each other.
+TriangleMesh crumpled(double by, std::uint64_t seed) {
+  TriangleMesh mesh = upright_torus_mesh(0.75, 0.25, 48, 24);
+  Random random(seed);
+  for (Vec3& v : mesh.vertices) v += random_vec(random, -by, by);
+  return moved(mesh, random_rotation(random), Vec3(1, -2, 3));
+}
+
+TEST(Offset, OfSmallTrianglesAgreesWithTheirDistances) {
+  // Sides of 0.07 to 0.1: half a wall, and a wall that reaches through many of them.
+  for (const double by : {1e-9, 1e-4, 0.01, 0.05, 0.2})
+    for (const double wall : {0.03, 0.1, 0.22}) expect_offset(crumpled(by, 71), wall, 60, 64 * 4 * 0x1p-53);
+}
+
+TEST(Offset, OfFoldsAgreesWithTheirDistances) {
+  // Two triangles at an edge, from flat to shut, and both ways round. Sides of a tenth of the wall and of
+  // ten walls.
+  Random random(81);
+  for (const double angle :
+       {0.0, 1e-9, 1e-5, 5e-4, 2e-3, 0.1, 1.0, 1.6, 2.2, 3.0, 3.14, 3.1415926, 3.141592653589793})
+    for (const double wall : {0.1, 10.0}) {
+      const Vec3 a(0, 0, 0), b(1, 0, 0), c(0.4, 0.9, 0),
+          d(0.6, -0.8 * std::cos(angle), 0.8 * std::sin(angle));
+      const TriangleMesh fold{{a, b, c, d}, {{0, 1, 2}, {1, 0, 3}}},
+          turned{{a, b, c, d}, {{0, 1, 2}, {0, 1, 3}}};
+      const Eigen::Matrix3d turn = random_rotation(random);
+      expect_offset(moved(fold, turn, Vec3(0.1, 0.2, 0.3)), wall, 40, 64 * 16 * 0x1p-53);
+      expect_offset(moved(turned, turn, Vec3(0.1, 0.2, 0.3)), wall, 40, 64 * 16 * 0x1p-53);
+      expect_offset(fold, wall, 40, 64 * 16 * 0x1p-53);  // lines along the edge
+    }
+}
+
+TEST(Offset, OfEdgesOfOneAndOfThreeTrianglesAgreesWithTheirDistances) {
+  Random random(91);
+  for (const double wall : {0.1, 3.0}) {
+    const Vec3 a(0, 0, 0), b(1, 0, 0), c(0.4, 0.9, 0), d(0.6, -0.8, 0.3), e(0.5, -0.2, -0.9);
+    const TriangleMesh book{{a, b, c, d, e}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
+    expect_offset(moved(book, random_rotation(random), Vec3(0.1, 0.2, 0.3)), wall, 40, 64 * 4 * 0x1p-53);
+  }
+}
+
+TEST(Offset, OfAFlatFineSideHasNoSeamsOnItsEdges) {
+  // Lines through the corners and along the edges of a flat mesh, whose triangles are far smaller than the
+  // wall, and far larger.
+  TriangleMesh sheet;
+  constexpr std::uint32_t n = 8;
+  for (std::uint32_t j = 0; j <= n; ++j)
+    for (std::uint32_t i = 0; i <= n; ++i) sheet.vertices.emplace_back(i, j, 0);
+  for (std::uint32_t j = 0; j < n; ++j)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t at = i + (n + 1) * j;
+      sheet.triangles.push_back({at, at + 1, at + n + 2});
+      sheet.triangles.push_back({at, at + n + 2, at + n + 1});
+    }
+  for (const double wall : {0.25, 1.0, 6.0}) {
+    Lines lines(33 * 33, {{-9, 9}});
+    remove_shell(sheet, wall, {0, 0, 0.25, 33, 33}, lines);
+    for (const auto& line : lines) expect_spans(line, {{-9, -wall}, {wall, 9}});
+  }
+}
+
+TEST(Offset, OfAnotherWallIsThatOfAFreshOne) {
+  const TriangleMesh mesh = crumpled(0.02, 72);
+  const LineRaster raster{0, -3, 0.02, 100, 100};
+  LineSpans lines;
+  for (int i = 0; i < 100 * 100; ++i) {
+    lines.spans.push_back({2, 4});
+    lines.end_line();
+  }
+  const ShellPieces kept(mesh);
+  for (const double wall : {0.05, 0.2, 0.01, 0.05}) {
+    const LineSpans again = kept.without_shell(wall, raster, lines),
+                    fresh = ShellPieces(mesh).without_shell(wall, raster, lines);
+    EXPECT_EQ(again.first, fresh.first);
+    EXPECT_TRUE(std::ranges::equal(
+        again.spans, fresh.spans, [](const Span& a, const Span& b) { return a.z0 == b.z0 && a.z1 == b.z1; }));
+    EXPECT_NE(again.spans.size(), lines.spans.size());
+  }
 }
 
 TEST(Offset, LeavesNoSpeckAlongSeams) {
