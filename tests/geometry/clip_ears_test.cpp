@@ -28,13 +28,13 @@ void expect_filled(const Points& points, const std::vector<std::uint32_t>& polyg
   std::vector<bool> used(points.size());
   for (const auto& t : *triangles) {
     EXPECT_GT(orient2d(points[t[0]], points[t[1]], points[t[2]]), 0);
-    sum += twice_area(points, t);
+    sum += 2 * area(polygon_of(points, t));
     for (const std::uint32_t v : t) used[v] = true;
   }
   for (const Vec2& p : points) size = std::max({size, std::abs(p[0]), std::abs(p[1])});
   for (const std::uint32_t v : polygon) EXPECT_TRUE(used[v]) << v;
   // Each product of two coordinates is rounded a few times.
-  EXPECT_NEAR(sum, twice_area(points, polygon), 16 * double(polygon.size()) * 0x1p-53 * size * size);
+  EXPECT_NEAR(sum, 2 * area(polygon_of(points, polygon)), 16 * double(polygon.size()) * 0x1p-53 * size * size);
 }
 
 TEST(ClipEars, KeepsCornersOnStraightSides) {

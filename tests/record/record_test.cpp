@@ -79,7 +79,7 @@ RunResult made_by_hand() {
   r.rounding.void_voxels = 2;
   r.rounding.mended_voxels = 1;
   r.rounding.moved_voxels = 3;
-  r.voids = {{12.5, 0.5}, {0.25}, {{{0, 0, 1}, 4.5, 2}}};
+  r.voids = {{12.5, 0.5}, {0.25}, {{{{0, 0, 1}, 4.5}, 2}}};
   r.verified.verdict = {true, "spins", {{"off_axis", 1e-5}, {"omega_min_rpm", nan}}};
   r.verified.file = "part.stl";
   r.verified.triangles = 100;

@@ -120,7 +120,7 @@ Outcome run(int left, int fails_at = 0) {
   const Countdown problem(left);
   const auto f = make_formulation("rayrep", BoxDomain::columns(), {}, {}, test_device());
   const MassModel mass;
-  return solve({"script", "", Script::solve, {"rayrep"}}, {problem, *f, mass, test_device()}, {});
+  return solve({"script", "", Script::solve, {.derivatives = true}}, {problem, *f, mass, test_device()}, {});
 }
 
 TEST(SolveInSequence, AddsUpWhatItCostAndGoesOnFromWhereItWas) {
