@@ -1,5 +1,5 @@
-// threads.cpp - 200 solves in eight threads, a session each, give the same bits as in sequence. Built with the thread
-// sanitizer by tests/long.sh, against the library alone, so that little else runs.
+// threads.cpp - 200 solves in eight threads, a session each, give the same bits as in sequence. Built with
+// the thread sanitizer by tests/long.sh, against the library alone, so that little else runs.
 #include <atomic>
 #include <cstring>
 #include <iostream>

@@ -43,7 +43,8 @@ TEST_P(NonlinearRows, EndWhereTheyBind) {
   ASSERT_TRUE(outcome.converged()) << outcome.message;
   // Ipopt meets rows to 1e-9 of ours, by which the circle's radius changes by 1e-9 / (2 radius).
   EXPECT_NEAR(outcome.moments[SX], radius * mass, 1e-6 * mass);
-  EXPECT_LE(violation(problem, outcome.moments), 1e-8);
+  // Bounds of rows are relaxed by 1e-8 (bound_relax_factor) before they are met.
+  EXPECT_LE(violation(problem, outcome.moments), 2e-8);
   EXPECT_NEAR(outcome.moments[SY], 0, 1e-2 * radius * mass) << "nothing is gained beside the axis";
 }
 
