@@ -130,12 +130,13 @@ json plain(const json& value) {
 
 }  // namespace
 
-json to_json(const RunResult& r) {
+namespace {
+
+json solved(const RunResult& r) {
   const Outcome& o = r.outcome;
-  const bool part = r.config.part != Part::none;
   json samples = json::array();
   for (const Seconds& s : r.samples) samples.push_back(to_json(s));
-  return plain({
+  return {
       {"model", r.body_name},
       {"repairs", r.repairs},
       {"problem", r.config.problem},
@@ -159,7 +160,7 @@ json to_json(const RunResult& r) {
       {"dual_infeasibility", o.dual_infeasibility},
       {"complementarity", o.complementarity},
       {"local_minimum", o.local_minimum ? local_minimum(*o.local_minimum) : json()},
-      {"moments", json_list(r.model_moments(part ? r.rounding.moments : o.moments))},
+      {"moments", json_list(r.model_moments(r.config.part != Part::none ? r.rounding.moments : o.moments))},
       {"moments_optimum", json_list(r.model_moments(o.moments))},
       {"moments_order", moment_names},
       {"moments_frame",
@@ -172,6 +173,11 @@ json to_json(const RunResult& r) {
       {"samples", samples},
       {"whole_seconds", r.whole_seconds},
       {"peak_bytes", r.peak_bytes},
+  };
+}
+
+json posed(const RunResult& r) {
+  return {
       {"domain", r.domain},
       {"rays", r.rays},
       {"inside_voxels", r.inside_voxels},
@@ -184,6 +190,12 @@ json to_json(const RunResult& r) {
       {"interior_density", r.interior_density},
       {"void_density", r.void_density},
       {"solid_mass_g", r.solid_mass_grams},
+  };
+}
+
+json made(const RunResult& r) {
+  const bool part = r.config.part != Part::none;
+  return {
       {"bound", r.certificate ? json(r.certificate->bound) : json()},
       {"gap", r.certificate ? json(r.gap()) : json()},
       {"certificate", r.certificate ? json(to_string(r.certificate->kind)) : json()},
@@ -195,12 +207,21 @@ json to_json(const RunResult& r) {
       {"cuts", part ? cuts(r.voids) : json()},
       {"verified", part ? verified(r.verified) : json()},
       {"no_part", part ? json() : json(no_part)},
-      {"evaluations", evaluations(o.evaluations)},
+      {"evaluations", evaluations(r.outcome.evaluations)},
       {"config", describe(r.config)},
       {"device", r.provenance.device},
       {"commit", r.provenance.commit},
       {"provenance", provenance(r.provenance)},
-  });
+  };
+}
+
+}  // namespace
+
+json to_json(const RunResult& r) {
+  json all = solved(r);
+  all.update(posed(r));
+  all.update(made(r));
+  return plain(all);
 }
 
 }  // namespace kreisel::core

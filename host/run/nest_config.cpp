@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
 #include "nest/search/baseline.hpp"
 #include "session/field_text.hpp"
@@ -76,7 +77,8 @@ std::string text_of_balls(const std::vector<nest::KeepOut>& balls) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-std::vector<NestField> make_fields() {
+/// Which shapes, and how they lie.
+std::vector<NestField> placement_fields() {
   return {
       {"outer", "the shape outside: a name of `bench list`, or a mesh file", 1,
        [](C c, S, S v) { c.outer = v; }, [](Const c) { return c.outer; }},
@@ -106,6 +108,12 @@ std::vector<NestField> make_fields() {
        [](Const c) {
          return c.removal ? fmt::format("{} {}", text_of(c.removal->first), text_of(c.removal->second)) : "";
        }},
+  };
+}
+
+/// What decides, and what is free.
+std::vector<NestField> test_fields() {
+  return {
       {"variant", "what decides: peel, envelope, exact or hybrid (default)", 1,
        [](C c, S, S v) {
          nest::require_test(v);
@@ -134,6 +142,12 @@ std::vector<NestField> make_fields() {
        [](C c, S n, S v) { c.up = direction(n, v); }, [](Const c) { return text_of(c.up); }},
       {"keep-out", "balls x,y,z,radius, outer coordinates: the cut does not touch the surface in them", 0,
        [](C c, S n, S v) { c.keep_outs = balls(n, v); }, [](Const c) { return text_of_balls(c.keep_outs); }},
+  };
+}
+
+/// How a swarm moves.
+std::vector<NestField> swarm_fields() {
+  return {
       {"swarm", "basic, hybrid or hybrid+abort (default)", 1,
        [](C c, S, S v) {
          if (nest::is_baseline(v))
@@ -175,6 +189,12 @@ std::vector<NestField> make_fields() {
       {"social", "pull of its neighbours' best, but with constriction; default 0.01", 1,
        [](C c, S n, S v) { c.search.swarm.social = number(n, v); },
        [](Const c) { return text_of_number(c.search.swarm.social); }},
+  };
+}
+
+/// How a search begins, climbs and ends.
+std::vector<NestField> search_fields() {
+  return {
       {"placing",
        "first positions: lattice (default) or random, deep inside the outer shape; or anywhere in its box", 1,
        [](C c, S, S v) { c.search.swarm.placing = nest::parse_placing(v); },
@@ -200,6 +220,12 @@ std::vector<NestField> make_fields() {
       {"climb-step", "first standard deviation of a refinement, radians or parts of ranges; default 0.05", 1,
        [](C c, S n, S v) { c.search.climb.first_step = positive(n, v); },
        [](Const c) { return text_of_number(c.search.climb.first_step); }},
+  };
+}
+
+/// Other answers than one nesting, and what is kept.
+std::vector<NestField> kind_fields() {
+  return {
       {"seconds", "after which the search ends, with the best so far; default never", 1,
        [](C c, S n, S v) { c.seconds = positive(n, v); },
        [](Const c) { return std::isinf(c.seconds) ? "" : text_of_number(c.seconds); }},
@@ -243,6 +269,14 @@ std::vector<NestField> make_fields() {
       {"device", "index or part of a name; default KREISEL_DEVICE, else a GPU, else PoCL", 1,
        [](C c, S, S v) { c.device = v; }, [](Const c) { return c.device; }},
   };
+}
+
+std::vector<NestField> make_fields() {
+  std::vector<NestField> all;
+  for (std::vector<NestField> group :
+       {placement_fields(), test_fields(), swarm_fields(), search_fields(), kind_fields()})
+    std::ranges::move(group, std::back_inserter(all));
+  return all;
 }
 
 std::string stem(const std::string& model) { return std::filesystem::path(model).stem().string(); }

@@ -68,10 +68,13 @@ MapConfig& map_of(RunConfig& config) {
 
 using Setter = std::function<void(RunConfig&, std::string_view key, std::string_view value)>;
 
-const std::map<std::string_view, Setter>& setters() {
-  using C = RunConfig&;
-  using S = std::string_view;
-  static const std::map<std::string_view, Setter> all = {
+using Setters = std::map<std::string_view, Setter>;
+using C = RunConfig&;
+using S = std::string_view;
+
+/// What the body is, and how it lies.
+Setters body_setters() {
+  return {
       {"model", [](C c, S, S v) { c.body.model = v; }},
       {"axis", [](C c, S k, S v) { c.body.axis = vector(k, v); }},
       {"up", [](C c, S k, S v) { c.body.up = vector(k, v); }},
@@ -90,6 +93,12 @@ const std::map<std::string_view, Setter>& setters() {
       {"slot", [](C c, S k, S v) { c.body.axle.slot = number(k, v); }},
       {"axle-depth", [](C c, S k, S v) { c.body.axle.depth = number(k, v); }},
       {"fineness", [](C c, S k, S v) { c.body.fineness = whole(k, v, 1); }},
+  };
+}
+
+/// What is asked, over which domain.
+Setters question_setters() {
+  return {
       // A name that nobody knows is told where it is written, not when its turn comes.
       {"problem", [](C c, S, S v) { c.problem = find_problem(v).name; }},
       {"formulation", [](C c, S, S v) { c.formulation = find_formulation(v).name; }},
@@ -116,6 +125,12 @@ const std::map<std::string_view, Setter>& setters() {
          if (v != "centres" && v != "corners") refuse(k, v, "centres or corners");
          c.wall.to_corners = v == "corners";
        }},
+  };
+}
+
+/// A map in place of a run, what becomes of the optimum, and where it is computed.
+Setters kind_setters() {
+  return {
       {"axes", [](C c, S k, S v) { map_of(c).axes = whole(k, v, 1); }},
       {"through",
        [](C c, S k, S v) {
@@ -143,6 +158,12 @@ const std::map<std::string_view, Setter>& setters() {
          if (v != "automatic" && v != "single") refuse(k, v, "automatic or single");
          c.single_precision = v == "single";
        }},
+  };
+}
+
+/// How often, how long, how near.
+Setters limit_setters() {
+  return {
       {"repeat", [](C c, S k, S v) { c.repeat = whole(k, v, 1); }},
       {"budget",
        [](C c, S k, S v) {
@@ -165,6 +186,15 @@ const std::map<std::string_view, Setter>& setters() {
          if (!(c.certify > 0 && c.certify < 1)) refuse(k, v, "a gap between 0 and 1, such as 1e-3");
        }},
   };
+}
+
+const Setters& setters() {
+  static const Setters all = [] {
+    Setters joined;
+    for (Setters group : {body_setters(), question_setters(), kind_setters(), limit_setters()})
+      joined.merge(group);
+    return joined;
+  }();
   return all;
 }
 

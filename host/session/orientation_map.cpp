@@ -154,8 +154,10 @@ std::string OrientationMap::command(Place place) const {
                             fmt::join(axes[place.axis], ","), fmt::join(contacts[place.axis], ","));
 }
 
-OrientationMap map_orientations(Session& session, const MapSpec& spec, const Control& control) {
-  const Stopwatch setup;
+namespace {
+
+/// @throws InputError  a problem that has no map, no axes, one without a direction
+const ProblemEntry& checked_problem(const MapSpec& spec) {
   const ProblemEntry& asked = find_problem(spec.config.problem);
   if (asked.name != "spin" && asked.name != "float")
     throw InputError(fmt::format("a map of {}; expected the problem spin or float", asked.name));
@@ -164,7 +166,30 @@ OrientationMap map_orientations(Session& session, const MapSpec& spec, const Con
     if (!axis.allFinite() || axis.norm() == 0)
       throw InputError(
           fmt::format("axis {} has no direction; expected a non-zero vector", fmt::join(axis, ",")));
+  return asked;
+}
 
+/// What a map says of itself beside its answers.
+void describe(OrientationMap& map, const Stages& stages, const Provenance& provenance) {
+  const Body& body = *stages.body;
+  const RunDomain& domain = *stages.domain;
+
+  map.provenance = provenance;
+  map.body_name = body.name;
+  map.length_mm = body.frame.length;
+  map.mass_unit_grams = body.mass_grams();
+  map.frame = body.frame;
+  map.domain = domain.kind();
+  map.grid = domain.grid();
+  map.wall = domain.wall();
+  map.rays = domain.rays().columns.size();
+}
+
+}  // namespace
+
+OrientationMap map_orientations(Session& session, const MapSpec& spec, const Control& control) {
+  const Stopwatch setup;
+  const ProblemEntry& asked = checked_problem(spec);
   OrientationMap map;
   map.config = spec.config;
   map.config.formulation = "quadric";
@@ -179,19 +204,9 @@ OrientationMap map_orientations(Session& session, const MapSpec& spec, const Con
   options.own = {{"tolerance", "1e-8"}};
   for (const auto& [name, value] : settings_of(map.config, map.config.solver)) options.own[name] = value;
   const Stages stages = session.stages(map.config, control);
-  const Body& body = *stages.body;
-  const RunDomain& domain = *stages.domain;
-
-  map.provenance = session.provenance();
-  map.body_name = body.name;
-  map.length_mm = body.frame.length;
-  map.mass_unit_grams = body.mass_grams();
-  map.frame = body.frame;
-  map.domain = domain.kind();
-  map.grid = domain.grid();
-  map.wall = domain.wall();
-  map.rays = domain.rays().columns.size();
+  describe(map, stages, session.provenance());
   map.setup_seconds = setup.seconds();
+  const Body& body = *stages.body;
 
   const Stopwatch sweeping;
   const Sweep sweep{solver, options, *stages.formulation, stages.mass, *stages.device, body.frame.length,

@@ -235,6 +235,36 @@ Phase find_stationary(const Problem& problem, TotalSupport& oracle, double toler
 /// sliver of freedom left. [docs/quadric.md, s. 2]
 constexpr double barely_met = 1e3;
 
+namespace {
+
+void say_how_it_ended(Outcome& outcome, Phase phase, const State& state, const Problem& problem,
+                      int fine_passes) {
+  switch (phase) {
+    case Phase::converged:
+      outcome.termination = Termination::optimal;
+      outcome.message = fmt::format("converged, residual {:.1e}, {} passes at full resolution",
+                                    state.residual, fine_passes);
+      if (const double size = state.multipliers.size() ? state.multipliers.cwiseAbs().maxCoeff() : 0;
+          problem.goal() == Goal::value &&
+          size > barely_met * problem.gradient(outcome.moments).cwiseAbs().maxCoeff())
+        outcome.message += fmt::format(", multipliers of {:.0e}: the constraints can barely be met", size);
+      break;
+    case Phase::infeasible:
+      outcome.termination = Termination::infeasible;
+      outcome.message = "a quadric separates the constraints from all fillings";
+      break;
+    case Phase::interrupted:
+      outcome.termination = Termination::interrupted;
+      outcome.message = "stopped by the user";
+      break;
+    default:
+      outcome.termination = state.residual <= 1e-6 ? Termination::acceptable : Termination::failed;
+      outcome.message = fmt::format("no further progress, residual {:.1e}", state.residual);
+  }
+}
+
+}  // namespace
+
 Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
   const MomentOptions own = parse_options(options.own, task.device);
   SupportOracle& domain = *task.formulation.oracle();
@@ -289,28 +319,7 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
     outcome.local_minimum = second_order(problem, oracle, state, own.tolerance);
     outcome.evaluations.hessian += oracle.hessian_passes();
   }
-  switch (phase) {
-    case Phase::converged:
-      outcome.termination = Termination::optimal;
-      outcome.message = fmt::format("converged, residual {:.1e}, {} passes at full resolution",
-                                    state.residual, fine_passes);
-      if (const double size = state.multipliers.size() ? state.multipliers.cwiseAbs().maxCoeff() : 0;
-          problem.goal() == Goal::value &&
-          size > barely_met * problem.gradient(outcome.moments).cwiseAbs().maxCoeff())
-        outcome.message += fmt::format(", multipliers of {:.0e}: the constraints can barely be met", size);
-      break;
-    case Phase::infeasible:
-      outcome.termination = Termination::infeasible;
-      outcome.message = "a quadric separates the constraints from all fillings";
-      break;
-    case Phase::interrupted:
-      outcome.termination = Termination::interrupted;
-      outcome.message = "stopped by the user";
-      break;
-    default:
-      outcome.termination = state.residual <= 1e-6 ? Termination::acceptable : Termination::failed;
-      outcome.message = fmt::format("no further progress, residual {:.1e}", state.residual);
-  }
+  say_how_it_ended(outcome, phase, state, problem, fine_passes);
   return outcome;
 }
 

@@ -2,6 +2,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "apps/bench/commands.hpp"
 #include "apps/bench/simulate_options.hpp"
@@ -79,14 +83,10 @@ void add_nest_options(CLI::App& app, NestOptions& nest) {
                  "go on with a checkpoint, by the options that it was begun with; it is kept there again");
 }
 
-int dispatch(int argc, char** argv) {
-  CLI::App app("Kreisel: where must material go inside a shape so that it spins, stands or floats?", "bench");
-  app.set_version_flag("--version", fmt::format("kreisel {} ({})", kreisel::core::build_info::version,
-                                                kreisel::core::build_info::commit));
-  app.require_subcommand(0, 1);
-  Parsed parsed;
-  add_run_options(app, parsed);
+/// A subcommand, and what it does once all is parsed.
+using Command = std::pair<CLI::App*, std::function<int()>>;
 
+Command add_experiment(CLI::App& app, Parsed& parsed) {
   CLI::App* experiment =
       app.add_subcommand("run", "run an experiment (TOML) and print its table; finished runs are skipped");
   experiment->add_option("experiment", parsed.experiment.name, "a file, or the name of one of `bench list`")
@@ -100,12 +100,31 @@ int dispatch(int argc, char** argv) {
   experiment->add_option("--device", parsed.experiment.device, "as above, for every run");
   experiment->add_flag("--force", parsed.experiment.force, "run finished runs again");
   experiment->add_flag("--dry-run", parsed.experiment.dry_run, "say what would run");
+  return {experiment, [&parsed] { return run_experiment(parsed.experiment); }};
+}
+
+Command add_inspect(CLI::App& app, Parsed& parsed) {
   CLI::App* inspected = app.add_subcommand(
       "inspect", "check a mesh: faults, repairs, shells, mass properties, and what it does as a solid");
   add_inspect_options(*inspected, parsed);
+  return {inspected, [&parsed] {
+            parsed.run.apply(parsed.once.config);
+            return inspect_model({parsed.once.config, parsed.once.json_file});
+          }};
+}
+
+Command add_map(CLI::App& app, Parsed& parsed) {
   CLI::App* mapped = app.add_subcommand(
       "map", "every orientation over one domain: about which axes can a body spin, or float");
   add_map_options(*mapped, parsed);
+  return {mapped, [&parsed] {
+            parsed.run.apply(parsed.once.config);
+            parsed.map.config = parsed.once.config;
+            return map_model(parsed.map);
+          }};
+}
+
+Command add_simulate(CLI::App& app, Parsed& parsed) {
   CLI::App* simulated = app.add_subcommand(
       "simulate", "set a part and the solid it was made of in motion: what does physics say?");
   add_simulate_options(*simulated, parsed.simulate, [&](const std::string& field, const std::string& text) {
@@ -114,9 +133,21 @@ int dispatch(int argc, char** argv) {
   parsed.run.add(*simulated,
                  {"axis", "up", "unit", "weld", "size", "density", "void-density", "fineness", "device"});
   parsed.run.add_settings(*simulated, "problem.NAME=VALUE");
+  return {simulated, [&parsed] {
+            parsed.run.apply(parsed.once.config);
+            parsed.simulate.config = parsed.once.config;
+            return simulate_part(parsed.simulate);
+          }};
+}
+
+Command add_nest(CLI::App& app, Parsed& parsed) {
   CLI::App* nested = app.add_subcommand(
       "nest", "does one shape fit into another, to be taken out through a cut, and how large");
   add_nest_options(*nested, parsed.nest);
+  return {nested, [&parsed] { return nest_shapes(parsed.nest); }};
+}
+
+Command add_report(CLI::App& app, Parsed& parsed) {
   CLI::App* reported =
       app.add_subcommand("report", "tables and figures of experiments that have been run, as one HTML page");
   reported->add_option("experiments", parsed.report.experiments, "default: all that have records");
@@ -126,8 +157,18 @@ int dispatch(int argc, char** argv) {
       ->add_option("--markdown", parsed.report.markdown,
                    "no page: write the tables into the marked places of these files")
       ->type_name("FILE ...");
+  return {reported, [&parsed] {
+            return parsed.report.markdown.empty() ? report(parsed.report) : report_markdown(parsed.report);
+          }};
+}
+
+Command add_show(CLI::App& app, Parsed& parsed) {
   CLI::App* shown = app.add_subcommand("show", "print records");
   shown->add_option("records", parsed.paths, "HDF5 files, or folders of them")->required();
+  return {shown, [&parsed] { return show(parsed.paths); }};
+}
+
+Command add_compare(CLI::App& app, Parsed& parsed) {
   CLI::App* compared = app.add_subcommand(
       "compare", "two folders of records run by run: ratios of time, differences of objective");
   compared->add_option("A", parsed.compare.a, "records of one commit, machine or setting")->required();
@@ -135,40 +176,39 @@ int dispatch(int argc, char** argv) {
   compared->add_option("--fail-above", parsed.compare.fail_above,
                        "exit code 1 where a run of B takes more than so many times as long");
   compared->add_option("--csv", parsed.compare.csv_file, "write the table as CSV, too");
-  CLI::App* listed =
-      app.add_subcommand("list", "models, problems, formulations, solvers, experiments; which pairs work");
+  return {compared, [&parsed] { return compare_results(parsed.compare); }};
+}
+
+Command add_devices(CLI::App& app, Parsed& parsed) {
   CLI::App* probed = app.add_subcommand("devices", "OpenCL devices, with measured bandwidth and flop rate");
   probed->add_flag("--no-measure", parsed.no_measure, "only what they say of themselves");
   probed->add_option("--device", parsed.only_device, "only this one");
+  return {probed, [&parsed] { return devices(!parsed.no_measure, parsed.only_device); }};
+}
 
+int dispatch(int argc, char** argv) {
+  CLI::App app("Kreisel: where must material go inside a shape so that it spins, stands or floats?", "bench");
+  app.set_version_flag("--version", fmt::format("kreisel {} ({})", kreisel::core::build_info::version,
+                                                kreisel::core::build_info::commit));
+  app.require_subcommand(0, 1);
+  Parsed parsed;
+  add_run_options(app, parsed);
+  std::vector<Command> commands;
+  for (const auto add :
+       {add_experiment, add_inspect, add_map, add_simulate, add_nest, add_report, add_show, add_compare})
+    commands.push_back(add(app, parsed));
+  commands.emplace_back(
+      app.add_subcommand("list", "models, problems, formulations, solvers, experiments; which pairs work"),
+      list);
+  commands.push_back(add_devices(app, parsed));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
     throw InputError(explained(app, error));
   }
-  if (*experiment) return run_experiment(parsed.experiment);
-  if (*inspected) {
-    parsed.run.apply(parsed.once.config);
-    return inspect_model({parsed.once.config, parsed.once.json_file});
-  }
-  if (*mapped) {
-    parsed.run.apply(parsed.once.config);
-    parsed.map.config = parsed.once.config;
-    return map_model(parsed.map);
-  }
-  if (*simulated) {
-    parsed.run.apply(parsed.once.config);
-    parsed.simulate.config = parsed.once.config;
-    return simulate_part(parsed.simulate);
-  }
-  if (*nested) return nest_shapes(parsed.nest);
-  if (*reported)
-    return parsed.report.markdown.empty() ? report(parsed.report) : report_markdown(parsed.report);
-  if (*shown) return show(parsed.paths);
-  if (*compared) return compare_results(parsed.compare);
-  if (*listed) return list();
-  if (*probed) return devices(!parsed.no_measure, parsed.only_device);
+  for (const auto& [command, work] : commands)
+    if (*command) return work();
   if (argc == 1) {
     fmt::print("{}", app.help());
     return done;
