@@ -30,7 +30,7 @@ def made(program, part, stl):
     done = subprocess.run([program, *part["design"].split(), "-o", stl, "--json", report, "--force"],
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
     seconds = time.monotonic() - begin
-    if done.returncode not in (0, 3, 4):
+    if done.returncode not in (0, 3, 4, 5):
         print(done.stdout, file=sys.stderr)
         return None, done.returncode, seconds
     return json.loads(report.read_text()), done.returncode, seconds

@@ -55,6 +55,7 @@ std::string to_json(const Design& design) {
                   {"device", r.provenance.device},
                   {"repairs", r.repairs},
                   {"termination", to_string(r.outcome.termination)},
+                  {"ok", design.feasible() && r.verified.verdict.ok},
                   {"density", r.density},
                   {"axis", json_list(r.axis)},
                   {"contact", json_list(r.contact)},

@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "device/pocl_cache.hpp"
 #include "error.hpp"
 #include "memory.hpp"
 
@@ -99,8 +100,11 @@ std::optional<int> as_index(std::string_view text) {
 }
 
 const Found& pick(const std::vector<Found>& all, std::string_view selector) {
-  if (all.empty())
+  if (all.empty()) {
+    if (const std::string trouble = trouble_with_pocl_cache(); !trouble.empty())
+      throw InputError("no OpenCL device found: " + trouble);
     throw InputError("no OpenCL device found; expected at least PoCL (Debian: apt install pocl-opencl-icd)");
+  }
   if (selector.empty()) {
     for (const Found& f : all)
       if (f.info.gpu) return f;

@@ -10,6 +10,8 @@
 #include <optional>
 
 #include "device/kernel_source.hpp"
+#include "device/pocl_cache.hpp"
+#include "error.hpp"
 
 namespace kreisel::core::device {
 namespace {
@@ -85,6 +87,9 @@ cl::Program build_source(const Device& device, std::string_view name, std::strin
   try {
     program.build({device.handle()}, options.c_str());
   } catch (const cl::Error& error) {
+    const bool pocl = device.info().platform == "Portable Computing Language";
+    if (const std::string trouble = pocl ? trouble_with_pocl_cache() : ""; !trouble.empty())
+      throw InputError(trouble);
     std::string log;
     try {
       log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.handle());

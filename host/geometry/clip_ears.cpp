@@ -9,11 +9,6 @@ namespace {
 
 using Point = Vec2;
 
-/// Is p in the closed triangle a, b, c, which runs counter-clockwise?
-bool in_triangle(const Point& p, const Point& a, const Point& b, const Point& c) {
-  return orient2d(a, b, p) >= 0 && orient2d(b, c, p) >= 0 && orient2d(c, a, p) >= 0;
-}
-
 class Ears {
  public:
   Ears(std::span<const Point> points, std::span<const std::uint32_t> polygon)

@@ -26,11 +26,6 @@ auto by_x(Points points) {
   throw InputError("a section of the mesh crosses itself; expected a mesh that does not run through itself");
 }
 
-/// Is p in the closed triangle a, b, c, which runs counter-clockwise?
-bool in_triangle(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c) {
-  return orient2d(a, b, p) >= 0 && orient2d(b, c, p) >= 0 && orient2d(c, a, p) >= 0;
-}
-
 /// The place in the polygon from which `from`, a point of a hole to its left, can be seen: of the first edge
 /// to the right its end further right, or what lies before that.
 std::optional<std::size_t> visible_from(Points points, const Loop& polygon, const Vec2& from) {

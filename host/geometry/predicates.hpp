@@ -14,6 +14,11 @@ namespace kreisel::core {
 /// Sign of (b - a) x (c - a): 1 when c lies left of the line from a to b, 0 on it, -1 right of it.
 [[nodiscard]] int orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
 
+/// Is p in the closed triangle a, b, c, which runs counter-clockwise?
+[[nodiscard]] inline bool in_triangle(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c) {
+  return orient2d(a, b, p) >= 0 && orient2d(b, c, p) >= 0 && orient2d(c, a, p) >= 0;
+}
+
 /// Sign of ((b - a) x (c - a)) . (d - a): 1 when d is on the side from which a, b, c run counter-clockwise.
 [[nodiscard]] int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 

@@ -132,6 +132,8 @@ Outcome solve(const Task& task, const SolverOptions& options, std::vector<std::u
   const Ipopt::SmartPtr<MemoryJournal> journal = new MemoryJournal();
   app->Jnlst()->AddJournal(GetRawPtr(journal));
   const Ipopt::ApplicationReturnStatus status = app->OptimizeTNLP(GetRawPtr(nlp));
+  if (status == Ipopt::Invalid_Option)
+    throw InputError("Ipopt refuses its options: one of ipopt.NAME asks for what is not installed here");
   if (status == Ipopt::Insufficient_Memory ||
       (journal->ran_out() && termination_of(status) == Termination::failed))
     throw std::bad_alloc();

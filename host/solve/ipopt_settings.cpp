@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fstream>
 
 #include "error.hpp"
 #include "memory.hpp"
@@ -50,8 +51,6 @@ Settings defaults_of_mumps(const Task& task) {
 /// The linear solver of a solve: what was asked, or else our own where it fits.
 std::string linear_solver_for(const Settings& given, Ipopt::TNLP& nlp, bool exact) {
   const auto asked = given.find("linear_solver");
-  if (asked != given.end() && asked->second == "ma27")
-    throw InputError("ipopt.linear_solver = ma27 is not installed; expected arrow or mumps");
   if (asked != given.end() && asked->second != "arrow") return asked->second;
   const auto of_mumps =
       std::ranges::find_if(given, [](const auto& s) { return s.first.starts_with("mumps_"); });
@@ -106,6 +105,28 @@ bool parse_whole(const std::string& text, T& value) {
   return status == std::errc() && end == text.data() + text.size();
 }
 
+/// What Ipopt would say nothing of, or only that it refuses its options.
+/// @throws InputError  a linear solver that is not installed, an output that cannot be written, an options
+/// file
+void require_usable(const Settings& given) {
+  const auto value = [&](const char* name) {
+    const auto found = given.find(name);
+    return found == given.end() ? std::string() : found->second;
+  };
+  if (const std::string solver = value("linear_solver");
+      !solver.empty() && solver != "arrow" && solver != "mumps")
+    throw InputError(
+        fmt::format("ipopt.linear_solver = {} is not installed; expected arrow or mumps", solver));
+  if (const std::string file = value("output_file"); !file.empty() && !std::ofstream(file, std::ios::app))
+    throw InputError(fmt::format(
+        "ipopt.output_file = {} cannot be written; expected a file in a folder that is there", file));
+  if (const std::string file = value("option_file_name"); !file.empty())
+    throw InputError(
+        fmt::format("ipopt.option_file_name = {} is not read; expected each option as ipopt.NAME, "
+                    "so that the record has them",
+                    file));
+}
+
 }  // namespace
 
 bool wants_exact_hessian(const Task& task, const SolverOptions& options) {
@@ -127,6 +148,7 @@ bool goes_on(const SolverOptions& options) {
 IpoptSettings ipopt_settings(const Task& task, const SolverOptions& options, Nlp& nlp,
                              const std::vector<double>& start) {
   const bool exact = wants_exact_hessian(task, options), linear = task.formulation.moments_are_linear();
+  require_usable(options.own);
   Settings settings = options.own;  // what the user gave stays, below
   settings.insert({"hessian_approximation", exact ? "exact" : "limited-memory"});
   if (options.untouched) {

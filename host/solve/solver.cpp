@@ -197,8 +197,8 @@ Outcome solve_sequence(const SolverEntry& solver, const Task& task, const Solver
     outcome.warm = {};  // of another problem
   }
   // A margin can always be found; whether it is enough is another question. Solvers meet 1e-9.
-  constexpr double met = 1e-6;
-  if (task.problem.goal() == Goal::margin && outcome.violation > met && outcome.converged()) {
+  constexpr double not_met = 1e-6;
+  if (task.problem.goal() == Goal::margin && outcome.violation > not_met && outcome.converged()) {
     outcome.termination = Termination::infeasible;
     outcome.message = fmt::format("the constraints are missed by {:.2e} at the least", outcome.violation);
   }

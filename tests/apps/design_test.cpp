@@ -12,6 +12,8 @@
 #include "apps/run_design.hpp"
 #include "body/mesh_moments.hpp"
 #include "mesh/io/read.hpp"
+#include "mesh/io/write.hpp"
+#include "mesh/shapes.hpp"
 #include "mesh/solid/components.hpp"
 #include "mesh/solid/self_intersections.hpp"
 #include "temporary_folder.hpp"
@@ -205,6 +207,29 @@ TEST_F(Design, OfAnInfeasibleProblemWritesNothingAndSaysWhatWouldHelp) {
   EXPECT_NE(a.out.find("other axes will do: the nearest"), std::string::npos) << a.out;
   EXPECT_FALSE(fs::exists(file("part.stl")));
   EXPECT_EQ(report().at("termination"), "infeasible");
+  EXPECT_EQ(report().at("ok"), false);
+}
+
+TEST_F(Design, WhatDoesNotDoAsAskedIsWrittenAndEndsWithCodeFive) {
+  // A post that stands in water is top-heavy, whatever its interior; and longer along its axis than across.
+  write_mesh(file("post.off"), {box_mesh({0, 0, 0}, {20, 20, 60})});
+  for (const std::string problem : {"float", "spin"}) {
+    const std::string asked =
+        fmt::format("{} {} -o {} --json {} --html {} --force --resolution 32", problem, file("post.off"),
+                    file("part.stl"), file("report.json"), file("page.html"));
+    const bool page = fs::exists("/usr/share/javascript/three/three.min.js");
+    const std::string arguments =
+        page ? asked : asked.substr(0, asked.find("--html")) + "--force --resolution 32";
+    const BenchAnswer a = design(arguments);
+    EXPECT_EQ(a.code, 5) << a.out;
+    EXPECT_NE(a.out.find("does not " + problem), std::string::npos) << a.out;
+    EXPECT_TRUE(fs::exists(file("part.stl")));
+    EXPECT_EQ(fs::exists(file("page.html")), page);
+    EXPECT_EQ(report().at("ok"), false);
+    EXPECT_EQ(report().at("termination"), "optimal");
+    EXPECT_EQ(design(arguments + " --accept").code, 0);
+    EXPECT_EQ(report().at("ok"), false) << "accepted, and still so";
+  }
 }
 
 TEST_F(Design, DoesNotWriteOverAFileUnasked) {

@@ -55,6 +55,18 @@ TEST_F(Endings, WithoutAnOpenClDeviceSaysWhatToInstall) {
   EXPECT_EQ(inspected.code, 0) << "which needs none: " << inspected.out;
 }
 
+TEST_F(Endings, AFolderThatPoclCannotWriteIsNamed) {
+  std::ofstream(file("taken")) << "a file";
+  for (const std::string& folder : {file("taken"), file("taken") + "/below"}) {
+    const std::string elsewhere =
+        fmt::format("POCL_CACHE_DIR='{}' KREISEL_CACHE_DIR='{}'", folder, file("own"));
+    const BenchAnswer a = bench(tiny, elsewhere);
+    EXPECT_EQ(a.code, 2) << a.out;
+    EXPECT_NE(a.out.find(folder + " by POCL_CACHE_DIR"), std::string::npos) << a.out;
+    EXPECT_EQ(a.out.find("internal error"), std::string::npos) << a.out;
+  }
+}
+
 TEST_F(Endings, ADeviceWithoutDoublePrecisionWorksAndSaysSo) {
   const BenchAnswer a = bench(fmt::format("{} --precision single", tiny));
   EXPECT_EQ(a.code, 0) << a.out;

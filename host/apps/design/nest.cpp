@@ -90,7 +90,8 @@ int nest_parts(NestArguments& arguments) {
   if (!arguments.outputs.html.empty() && nested.feasible())
     write_text(arguments.outputs.html, page_of(nested, three));
   if (arguments.outputs.write_report(to_json(nested))) print(nested);
-  return nested.feasible() ? done : infeasible;
+  if (!nested.feasible()) return infeasible;
+  return nested.ok ? done : not_as_asked;
 }
 
 }  // namespace kreisel::core::apps

@@ -68,9 +68,9 @@ class Statements {
   std::size_t number_ = 0, continued_ = 0;
 };
 
-class Reader {
+class ObjReader {
  public:
-  explicit Reader(const MeshFile& file) : file_(file), statements_(file) {}
+  explicit ObjReader(const MeshFile& file) : file_(file), statements_(file) {}
 
   MeshReading read() {
     for (std::string_view line; statements_.next(line);) {
@@ -156,6 +156,6 @@ class Reader {
 
 }  // namespace
 
-MeshReading read_obj(const MeshFile& file) { return Reader(file).read(); }
+MeshReading read_obj(const MeshFile& file) { return ObjReader(file).read(); }
 
 }  // namespace kreisel::core

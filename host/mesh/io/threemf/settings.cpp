@@ -27,9 +27,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kinds{
      {"supportblocker", "support blocker"},
      {"support_blocker", "support blocker"}}};
 
-class Visitor final : public XmlVisitor {
+class SettingsVisitor final : public XmlVisitor {
  public:
-  Visitor(SlicerSettings& settings, std::string name) : settings_(settings), name_(std::move(name)) {}
+  SettingsVisitor(SlicerSettings& settings, std::string name) : settings_(settings), name_(std::move(name)) {}
 
   void start(const Element& e) override {
     ++depth_;
@@ -99,7 +99,7 @@ SlicerSettings slicer_settings(const Package& package, const std::string& file) 
     if (!name.starts_with("metadata/")) continue;
     if (!name.ends_with("model.config") && !name.ends_with("model_settings.config")) continue;
     const std::string place = fmt::format("{}: {}", file, name);
-    Visitor visitor(settings, place);
+    SettingsVisitor visitor(settings, place);
     walk_xml(text, place, visitor);
   }
   return settings;
