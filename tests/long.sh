@@ -8,7 +8,7 @@ failed=0
 # 200 mixed solves in eight threads under the thread sanitizer.
 threads() {
   local build=build/tsan flags="-fsanitize=thread -g1 -O1 -fno-omit-frame-pointer"
-  cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$flags" -DKREISEL_TESTS=OFF -DKREISEL_MICRO=OFF &&
+  cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$flags" -DKREISEL_UNITY=ON -DKREISEL_TESTS=OFF -DKREISEL_MICRO=OFF &&
     cmake --build $build --target kreisel &&
     c++ $flags -std=c++20 -Ihost -isystem /usr/include/eigen3 tests/library/threads.cpp -o $build/threads -L$build -lkreisel \
       -Wl,-rpath,"$PWD/$build" &&

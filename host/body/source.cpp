@@ -82,6 +82,20 @@ void require_known_source(const BodySpec& spec) {
   require_weld_wanted(spec);
 }
 
+void require_unit_said(const BodySpec& spec, double longest) {
+  constexpr double pea = 5, table = 1000;
+  if (spec.unit || spec.size || (longest >= pea && longest <= table)) return;
+  if (is_known(spec.model) || mesh_format(spec.model).has_unit) return;
+  std::string sizes;
+  for (const LengthUnit& unit : length_units())
+    sizes +=
+        fmt::format("{}{} ({:.4g} mm)", sizes.empty() ? "" : ", ", unit.name, longest * unit.millimetres);
+  throw InputError(
+      fmt::format("{} is {:.4g} at its longest and does not say in what unit; expected --unit {}, or --size "
+                  "with its longest side in mm",
+                  spec.model, longest, sizes));
+}
+
 Source load_source(const BodySpec& spec) {
   require_known_source(spec);
   if (const Model* model = find_model(spec.model)) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "body/source.hpp"
 #include "error.hpp"
 #include "fabricate/cut_part.hpp"
 #include "fabricate/lay_flat.hpp"
@@ -115,6 +116,7 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
   RunConfig config = spec.config;
   config.wall.to_corners = true;  // a voxel whose centre keeps the wall would stick out into it
   SolvedRun run(session, config, control);
+  require_unit_said(spec.config.body, bounding_box(run.body().mesh).extent().maxCoeff());
   require_printable(run.result, spec.printer_accuracy);
   run.complete(control);
   Design design{};

@@ -232,6 +232,25 @@ TEST_F(Design, WhatDoesNotDoAsAskedIsWrittenAndEndsWithCodeFive) {
   }
 }
 
+TEST_F(Design, AFileTooSmallOrLargeToBeInMillimetresIsAskedForItsUnit) {
+  for (const double size : {0.06, 60'000.0}) {
+    const std::string name = file("part.off");
+    write_mesh(name, {box_mesh({0, 0, 0}, {size, size, size / 2})});
+    const std::string arguments =
+        fmt::format("spin {} -o {} --force --resolution 24", name, file("part.stl"));
+    const BenchAnswer a = design(arguments);
+    EXPECT_EQ(a.code, 2) << a.out;
+    EXPECT_NE(a.out.find(size < 1 ? "--unit mm (0.06 mm), cm (0.6 mm), m (60 mm), in (1.524 mm), or --size"
+                                  : "--unit mm (6e+04 mm)"),
+              std::string::npos)
+        << a.out;
+    EXPECT_EQ(std::ranges::count(a.out, '\n'), 1) << a.out;
+    EXPECT_FALSE(fs::exists(file("part.stl")));
+    EXPECT_EQ(design(arguments + " --size 60").code, 0);
+    fs::remove(file("part.stl"));
+  }
+}
+
 TEST_F(Design, DoesNotWriteOverAFileUnasked) {
   folder_.write("part.stl", "mine");
   const BenchAnswer a = design(fmt::format("spin ellipsoid -o {} --resolution 24", file("part.stl")));
