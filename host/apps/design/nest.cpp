@@ -60,6 +60,7 @@ void add_nest_options(CLI::App& app, NestArguments& arguments) {
   app.add_option("--pegs", arguments.spec.peg_radius,
                  "radius of loose pins that align the halves of each layer, mm; default none")
       ->check(CLI::PositiveNumber);
+  app.add_flag("--accept", arguments.accept, "exit code 0, though a wall or gap is less than was asked");
   app.add_option_function<std::string>(
       "--size", [&](const std::string& text) { arguments.given.emplace_back("outer-size", text); },
       "longest side of the outer shape in mm; default as the model is");
@@ -91,7 +92,7 @@ int nest_parts(NestArguments& arguments) {
     write_text(arguments.outputs.html, page_of(nested, three));
   if (arguments.outputs.write_report(to_json(nested))) print(nested);
   if (!nested.feasible()) return infeasible;
-  return nested.ok ? done : not_as_asked;
+  return nested.ok || arguments.accept ? done : not_as_asked;
 }
 
 }  // namespace kreisel::core::apps

@@ -17,6 +17,7 @@ struct NestArguments {
   std::string wall = "2%";
   NestedSpec spec;
   DesignOutputs outputs;
+  bool accept = false;  ///< done, though a wall or gap is less than was asked
 };
 
 void add_nest_options(CLI::App& app, NestArguments& arguments);
