@@ -87,7 +87,9 @@ double on_all_threads(const std::function<void(unsigned)>& work) {
 constexpr int chains = 64;
 
 /// `repeats` x `chains` multiply-adds in registers, with the widest vectors this processor has.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
+// The sanitizers are not there yet when the loader picks one of the clones.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
 __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #endif
 double

@@ -6,6 +6,7 @@
 #include <IpIpoptApplication.hpp>
 #include <IpSolveStatistics.hpp>
 #include <algorithm>
+#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -194,10 +195,23 @@ Outcome stopped_while_waiting(const Task& task, const SolverOptions& options) {
 
 Outcome solve_with_ipopt(const Task& task, const SolverOptions& options) {
   // MUMPS of this version keeps its state in the library, and so does the hook for our linear solver.
-  static std::timed_mutex one_at_a_time;
-  std::unique_lock lock(one_at_a_time, std::defer_lock);
-  while (!lock.try_lock_for(std::chrono::milliseconds(50)))
-    if (task.stop.stop_requested()) return stopped_while_waiting(task, options);
+  static std::mutex gate;
+  static std::condition_variable_any left;
+  static bool busy = false;
+  {
+    std::unique_lock lock(gate);
+    if (!left.wait(lock, task.stop, [] { return !busy; })) return stopped_while_waiting(task, options);
+    busy = true;
+  }
+  struct Leave {
+    ~Leave() {
+      {
+        const std::lock_guard lock(gate);
+        busy = false;
+      }
+      left.notify_one();
+    }
+  } const leave;
   const Memory memory = available_memory();
   require_memory(task, memory);
   try {

@@ -16,7 +16,7 @@ constexpr int threads = 8, each = 25;
 /// Mixed: what a solve shares with others is the body, the device, and of Ipopt's the library's lock.
 Question question(int i) {
   Question q;
-  q.domain.cells = {24, 0, 0};
+  q.domain.cells = {40, 0, 0};
   q.domain.wall_mm = i % 3 == 0 ? 2.0 : 1.5;
   if (i % 5 == 1) q.problem = {"float", {{"draft", i % 2 ? "60%" : "70%"}}};
   if (i % 5 == 2) q.pose.axis = Vec3(0.1 * (i % 4), 0, 1);
