@@ -34,7 +34,8 @@ void expect_filled(const Points& points, const std::vector<std::uint32_t>& polyg
   for (const Vec2& p : points) size = std::max({size, std::abs(p[0]), std::abs(p[1])});
   for (const std::uint32_t v : polygon) EXPECT_TRUE(used[v]) << v;
   // Each product of two coordinates is rounded a few times.
-  EXPECT_NEAR(sum, 2 * area(polygon_of(points, polygon)), 16 * double(polygon.size()) * 0x1p-53 * size * size);
+  EXPECT_NEAR(sum, 2 * area(polygon_of(points, polygon)),
+              16 * double(polygon.size()) * 0x1p-53 * size * size);
 }
 
 TEST(ClipEars, KeepsCornersOnStraightSides) {
