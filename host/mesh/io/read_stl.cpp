@@ -9,6 +9,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "geometry/exact_point_hash.hpp"
 #include "mesh/io/text.hpp"
 
 namespace kreisel::core {
@@ -31,18 +32,8 @@ class CornerMerge {
 
  private:
   using Key = std::array<double, 3>;
-  struct Hash {
-    std::size_t operator()(const Key& key) const {
-      std::uint64_t h = 0;
-      for (const double x : key) {  // multiply and fold: neighbouring floats differ in high bits only
-        h = (h ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15ULL;
-        h ^= h >> 32;
-      }
-      return h;
-    }
-  };
   TriangleMesh& mesh_;
-  std::unordered_map<Key, std::uint32_t, Hash> index_;
+  std::unordered_map<Key, std::uint32_t, ExactPointHash> index_;
 };
 
 /// Bytes the file has if it is binary and whole, by its facet count; at least header and count.

@@ -1,13 +1,13 @@
 #include "mesh/solid/weld.hpp"
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
+#include "geometry/exact_point_hash.hpp"
 #include "mesh/query/sides.hpp"
 
 namespace kreisel::core {
@@ -51,16 +51,6 @@ class ApartPoints {
     Vec3 point;
     std::uint32_t index;
   };
-  struct Hash {
-    std::size_t operator()(const Cube& cube) const {
-      std::uint64_t h = 0;
-      for (const double x : cube) {  // multiply and fold: neighbouring numbers differ in high bits only
-        h = (h ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15ULL;
-        h ^= h >> 32;
-      }
-      return h;
-    }
-  };
   [[nodiscard]] Cube cube_of(const Vec3& p) const {
     // -0 + 0 is 0, which has the same hash
     return {std::floor(p[0] / within_) + 0.0, std::floor(p[1] / within_) + 0.0,
@@ -68,7 +58,7 @@ class ApartPoints {
   }
 
   double within_;
-  std::unordered_multimap<Cube, Point, Hash> cubes_;
+  std::unordered_multimap<Cube, Point, ExactPointHash> cubes_;
 };
 
 }  // namespace
