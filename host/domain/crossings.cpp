@@ -46,9 +46,10 @@ int balance(std::span<const Crossing> column) {
 
 std::vector<Crossing> trace(const TriangleMesh& mesh, double x, double y) {
   std::vector<Crossing> column;
-  for (const Triangle& t : mesh.triangles)
-    if (const auto hit = cross(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], x, y))
-      column.push_back(*hit);
+  for (const Triangle& t : mesh.triangles) {
+    const auto [a, b, c] = corners_of(mesh, t);
+    if (const auto hit = cross(a, b, c, x, y)) column.push_back(*hit);
+  }
   return column;
 }
 
@@ -103,7 +104,7 @@ std::vector<Hit> hits_of(const TriangleMesh& mesh, const Grid& grid) {
   const Centres along_x(grid, 0), along_y(grid, 1);
   std::vector<Hit> hits;
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+    const auto [a, b, c] = corners_of(mesh, t);
     const auto [x0, x1] = along_x.between(std::min({a[0], b[0], c[0]}), std::max({a[0], b[0], c[0]}));
     if (x0 > x1) continue;
     const auto [y0, y1] = along_y.between(std::min({a[1], b[1], c[1]}), std::max({a[1], b[1], c[1]}));

@@ -57,9 +57,6 @@ class Digits {
 /// The largest coordinate, by its size. 0 without vertices.
 [[nodiscard]] double largest_coordinate(const TriangleMesh& mesh);
 
-/// The next word of `line`, cut from its front; empty at the end. Blanks, tabs and line ends separate.
-[[nodiscard]] std::string_view next_word(std::string_view& line);
-
 /// Walks the words of a text; `#` starts a comment that ends with its line.
 class Words {
  public:

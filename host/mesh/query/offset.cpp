@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/triangle.hpp"
 #include "mesh/query/band.hpp"
 #include "mesh/query/reach.hpp"
 #include "mesh/query/sides.hpp"
@@ -64,8 +65,9 @@ double longest_side_squared(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
 }
 
-Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 n = (b - a).cross(c - a);
+/// Of unit length; zero where it is not to be believed.
+Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 n = normal_of(a, b, c);
   const double area = n.norm();
   if (!(area > thin * longest_side_squared(a, b, c))) return Vec3::Zero();
   return n / area;
@@ -87,14 +89,10 @@ double covered_height(double wall, double cover_squared) {
   return std::sqrt(std::max(0.0, wall * wall - 1.001 * cover_squared));
 }
 
-template <class... Others>
-Box box_of(const Vec3& first, const Others&... others) {
-  Box box{first, first};
-  const auto hold = [&](const Vec3& p) {
-    box.lo = box.lo.cwiseMin(p);
-    box.hi = box.hi.cwiseMax(p);
-  };
-  (hold(others), ...);
+template <class... Points>
+Box box_of(const Points&... points) {
+  Box box;
+  (box.add(points), ...);
   return box;
 }
 
@@ -142,8 +140,7 @@ class ShellPieces::Cutter {
  private:
   [[nodiscard]] const Vec3& vertex(std::uint32_t i) const { return p_.mesh_.vertices[i]; }
   [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t t) const {
-    const Triangle& v = p_.mesh_.triangles[t];
-    return {vertex(v[0]), vertex(v[1]), vertex(v[2])};
+    return corners_of(p_.mesh_, p_.mesh_.triangles[t]);
   }
   [[nodiscard]] Window window(const Box& box, double by = 0) const {
     return band_.window(widened(box, by + margin * wall_));
@@ -196,8 +193,8 @@ class ShellPieces::Cutter {
 ShellPieces::ShellPieces(const TriangleMesh& mesh)
     : mesh_(in_rows(mesh)), normals_(mesh_.triangles.size()), across_(neighbours_of(mesh_)) {
   for (std::size_t t = 0; t < normals_.size(); ++t) {
-    const Triangle& v = mesh_.triangles[t];
-    normals_[t] = normal_of(mesh_.vertices[v[0]], mesh_.vertices[v[1]], mesh_.vertices[v[2]]);
+    const auto [a, b, c] = corners_of(mesh_, mesh_.triangles[t]);
+    normals_[t] = unit_normal(a, b, c);
   }
 }
 
