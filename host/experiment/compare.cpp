@@ -14,7 +14,7 @@
 #include "record/map_record.hpp"
 #include "record/nest_record.hpp"
 #include "record/record.hpp"
-#include "record/schema.hpp"
+#include "record/records_in.hpp"
 #include "statistics.hpp"
 
 namespace kreisel::core {
@@ -50,18 +50,6 @@ TimedRun of_nest(const NestSummary& nest) {
   run.seconds = {nest.search_seconds};
   if (nest.valid) run.objective = nest.scale;
   return run;
-}
-
-std::vector<std::filesystem::path> records_in(const std::filesystem::path& folder) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(folder, ignored))
-    throw InputError(fmt::format("{}: no such file or folder; expected records", folder.string()));
-  if (!std::filesystem::is_directory(folder, ignored)) return {folder};
-  std::vector<std::filesystem::path> found;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-    if (entry.path().extension() == ".h5") found.push_back(entry.path());
-  std::ranges::sort(found);
-  return found;
 }
 
 /// What may differ between two machines, or says how a run is timed, but not what it is.
@@ -127,12 +115,12 @@ Pair pair_of(const TimedRun& a, const TimedRun& b, std::string name) {
 std::vector<TimedRun> timed_runs(const std::filesystem::path& folder) {
   std::vector<TimedRun> runs;
   for (const std::filesystem::path& path : records_in(folder)) {
-    const std::string schema = schema_of(hdf5::File::open(path));
-    if (is_map(path))
+    const RecordKind kind = kind_of_record(path);
+    if (kind == RecordKind::map)
       runs.push_back(of_map(read_map(path)));
-    else if (is_nest(path))
+    else if (kind == RecordKind::nesting)
       runs.push_back(of_nest(read_nest(path)));
-    else if (schema == "kreisel run")
+    else if (kind == RecordKind::run)
       runs.push_back(of_run(read_record(path)));
   }
   if (runs.empty())

@@ -59,9 +59,6 @@ struct NestSummary {
   std::optional<double> load;  ///< none: of an early record
 };
 
-/// Is it a nesting's record? @throws InputError  no HDF5 file
-[[nodiscard]] bool is_nest(const std::filesystem::path& path);
-
 /// @throws InputError  not a nesting's record, or of a newer schema
 [[nodiscard]] NestSummary read_nest(const std::filesystem::path& path);
 

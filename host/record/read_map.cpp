@@ -15,8 +15,6 @@ namespace {
 
 using hdf5::Group;
 
-constexpr const char* map_schema = "kreisel map";
-
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);

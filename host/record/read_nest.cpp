@@ -13,8 +13,6 @@ namespace {
 
 using hdf5::Group;
 
-constexpr const char* nest_schema = "kreisel nesting";
-
 std::optional<double> number_or_none(const Group& group, const std::string& name) {
   const double value = group.real(name);
   return std::isnan(value) ? std::nullopt : std::optional(value);
@@ -55,8 +53,6 @@ nest::Accuracy accuracy_of(const Group& group, const std::string& file) {
 }
 
 }  // namespace
-
-bool is_nest(const std::filesystem::path& path) { return schema_of(hdf5::File::open(path)) == nest_schema; }
 
 NestSummary read_nest(const std::filesystem::path& path) {
   const hdf5::File file = hdf5::File::open(path);

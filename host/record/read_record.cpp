@@ -6,21 +6,12 @@
 #include "error.hpp"
 #include "record/hdf5_file.hpp"
 #include "record/record.hpp"
+#include "record/schema.hpp"
 
 namespace kreisel::core {
 namespace {
 
 using hdf5::Group;
-
-void check_schema(const hdf5::File& file, const std::string& name) {
-  if (!file.has("schema") || !file.has("schema_version") || file.text("schema") != "kreisel run")
-    throw InputError(
-        fmt::format("{}: not a record of a run, expected the attribute schema = kreisel run", name));
-  const std::int64_t version = file.integer("schema_version");
-  if (version < 1 || version > record_schema_version)
-    throw InputError(fmt::format("{}: schema version {}, expected 1 to {}; a newer program wrote it", name,
-                                 version, record_schema_version));
-}
 
 std::vector<Seconds> seconds_of(const Group& group, const std::string& dataset, const std::string& name) {
   const auto table = group.read(dataset);
@@ -117,7 +108,7 @@ void read_part(const hdf5::File& file, RecordSummary& summary, const std::string
 RecordSummary read_record(const std::filesystem::path& path) {
   const hdf5::File file = hdf5::File::open(path);
   const std::string name = path.string();
-  check_schema(file, name);
+  require_schema(file, name, "a record of a run", run_schema, record_schema_version);
 
   RecordSummary summary;
   summary.path = path;

@@ -7,6 +7,7 @@
 #include "mesh/io/write.hpp"
 #include "nest/known_answers.hpp"
 #include "record/hdf5_file.hpp"
+#include "record/records_in.hpp"
 #include "refusal.hpp"
 #include "temporary_folder.hpp"
 
@@ -46,7 +47,7 @@ TEST_F(NestRecord, HoldsWhatWasAskedAndFound) {
   const NestResult result = run_nest(config_, hooks_);
   ASSERT_TRUE(result.valid) << result.text;
   write_nest(file(), result);
-  ASSERT_TRUE(is_nest(file()));
+  ASSERT_EQ(kind_of_record(file()), RecordKind::nesting);
   const NestSummary read = read_nest(file());
   EXPECT_EQ(read.config, describe(config_));
   EXPECT_EQ(read.kind, "swarm");

@@ -5,25 +5,13 @@
 #include <filesystem>
 
 #include "apps/bench/commands.hpp"
-#include "error.hpp"
 #include "record/map_record.hpp"
 #include "record/nest_record.hpp"
 #include "record/record.hpp"
+#include "record/records_in.hpp"
 
 namespace kreisel::core::bench {
 namespace {
-
-std::vector<std::filesystem::path> records_in(const std::string& path) {
-  if (!std::filesystem::exists(path))
-    throw InputError(fmt::format("{}: no such file or folder; expected records", path));
-  if (!std::filesystem::is_directory(path)) return {path};
-  std::vector<std::filesystem::path> found;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(path))
-    if (entry.path().extension() == ".h5") found.push_back(entry.path());
-  if (found.empty()) throw InputError(fmt::format("{}: no records (*.h5) in it", path));
-  std::ranges::sort(found);
-  return found;
-}
 
 void print(const RecordSummary& r) {
   fmt::print("{}\n", r.path.string());
@@ -96,13 +84,15 @@ void print(const NestSummary& nest) {
 
 int show(const std::vector<std::string>& paths) {
   for (const std::string& path : paths)
-    for (const std::filesystem::path& record : records_in(path))
-      if (is_map(record))
+    for (const std::filesystem::path& record : records_in(path)) {
+      const RecordKind kind = kind_of_record(record);
+      if (kind == RecordKind::map)
         print(read_map(record));
-      else if (is_nest(record))
+      else if (kind == RecordKind::nesting)
         print(read_nest(record));
       else
         print(read_record(record));
+    }
   return done;
 }
 
