@@ -318,7 +318,7 @@ TEST_P(NlpOf, ARowForEveryFiniteBoundHoldsWhenTheMarginDoes) {
 }
 
 TEST_P(NlpOf, ConstraintRowsAreTheProblemsAndTheFormulations) {
-  if (GetParam().asked != Asked::spin) GTEST_SKIP() << "other rows, of other tests";
+  if (margin()) GTEST_SKIP() << "its rows are tested above";
   Random random(64);
   const VectorXd x = random_point(random);
   const VectorXd g = nlp_.g(x);
@@ -326,17 +326,32 @@ TEST_P(NlpOf, ConstraintRowsAreTheProblemsAndTheFormulations) {
   const Moments s = lifted() ? Moments(x.tail(10))
                              : mass_.total(formulation_->moments({x.data(), formulation_->num_variables()}));
   const int rays = formulation_->own_constraints().lower.empty() ? 0 : variables() / 2;
-  ASSERT_EQ(g.size(), skip + 4 + rays);
+  const LinearConstraints& linear = asked().constraints();
+  const auto lines = static_cast<int>(linear.matrix.rows());
+  const Nonlinear* more = asked().nonlinear();
+  const int rows = lines + (more ? static_cast<int>(more->lower().size()) : 0);
+  ASSERT_EQ(rows, GetParam().asked == Asked::spin ? 4 : 2);
+  ASSERT_EQ(g.size(), skip + rows + rays);
+  for (int row = 0; row < lines; ++row) {
+    EXPECT_EQ(g[skip + row], linear.matrix.row(row).dot(s));
+    EXPECT_EQ(nlp_.g_l[skip + row], linear.lower[row]);
+    EXPECT_EQ(nlp_.g_u[skip + row], linear.upper[row]);
+  }
   const MomentIndex zero[] = {SX, SY, SXZ, SYZ};
-  for (int row = 0; row < 4; ++row) {
+  for (int row = 0; row < (more ? 0 : 4); ++row) {
     EXPECT_EQ(g[skip + row], s[zero[row]]);
     EXPECT_EQ(nlp_.g_l[skip + row], 0);
     EXPECT_EQ(nlp_.g_u[skip + row], 0);
   }
+  for (int row = lines; row < rows; ++row) {
+    EXPECT_EQ(g[skip + row], more->rows(s, {})[row - lines]);
+    EXPECT_LE(nlp_.g_l[skip + row], -1e19) << "infinite";
+    EXPECT_EQ(nlp_.g_u[skip + row], more->upper()[row - lines]);
+  }
   for (int i = 0; i < rays; ++i) {
-    EXPECT_EQ(g[skip + 4 + i], x[2 * i + 1] - x[2 * i]);
-    EXPECT_EQ(nlp_.g_l[skip + 4 + i], 0);
-    EXPECT_GE(nlp_.g_u[skip + 4 + i], 1e19);
+    EXPECT_EQ(g[skip + rows + i], x[2 * i + 1] - x[2 * i]);
+    EXPECT_EQ(nlp_.g_l[skip + rows + i], 0);
+    EXPECT_GE(nlp_.g_u[skip + rows + i], 1e19);
   }
 }
 
