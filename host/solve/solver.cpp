@@ -182,7 +182,7 @@ Outcome solve_sequence(const SolverEntry& solver, const Task& task, const Solver
   std::unique_ptr<Problem> problem = task.problem.next(outcome.moments);
   while (problem && outcome.steps < most_steps && outcome.converged()) {
     onward.from = outcome.x;
-    Outcome step = solver.solve({*problem, task.formulation, task.mass, task.device}, onward);
+    Outcome step = solver.solve({*problem, task.formulation, task.mass, task.device, task.stop}, onward);
     step.steps = outcome.steps + 1;
     step.add_before(outcome);
     outcome = std::move(step);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stop_token>
 #include <string>
 
 #include "solve/rows.hpp"
@@ -94,13 +95,18 @@ class Countdown final : public Problem {
   LinearConstraints constraints_;
 };
 
-/// Stands in for a solver: each call adds one to the variable that it starts from, and may fail.
+/// Stands in for a solver: each call adds one to the variable that it starts from, and may fail, or be
+/// stopped.
 struct Script {
-  static inline int calls = 0, fails_at = 0;
+  static inline int calls = 0, fails_at = 0, stopped_at = 0;
+  static inline std::stop_source stop;
   static Outcome solve(const Task& task, const SolverOptions& options) {
     ++calls;
     Outcome outcome;
-    outcome.termination = calls == fails_at ? Termination::failed : Termination::optimal;
+    if (calls == stopped_at) stop.request_stop();
+    outcome.termination = calls == fails_at            ? Termination::failed
+                          : task.stop.stop_requested() ? Termination::interrupted
+                                                       : Termination::optimal;
     outcome.message = "call";
     outcome.x = {options.from.empty() ? 1 : options.from.front() + 1};
     outcome.moments[S1] = outcome.x.front();
@@ -114,13 +120,23 @@ struct Script {
   }
 };
 
-Outcome run(int left, int fails_at = 0) {
+Outcome run(int left, int fails_at = 0, int stopped_at = 0) {
   Script::calls = 0;
   Script::fails_at = fails_at;
+  Script::stopped_at = stopped_at;
+  Script::stop = {};
   const Countdown problem(left);
   const auto f = make_formulation("rayrep", BoxDomain::columns(), {}, {}, test_device());
   const MassModel mass;
-  return solve({"script", "", Script::solve, {.derivatives = true}}, {problem, *f, mass, test_device()}, {});
+  return solve({"script", "", Script::solve, {.derivatives = true}},
+               {problem, *f, mass, test_device(), Script::stop.get_token()}, {});
+}
+
+TEST(SolveInSequence, IsStoppedInAnyOfItsSteps) {
+  for (const int step : {1, 3}) {
+    EXPECT_EQ(run(5, 0, step).termination, Termination::interrupted) << step;
+    EXPECT_EQ(Script::calls, step) << "no other step is begun";
+  }
 }
 
 TEST(SolveInSequence, AddsUpWhatItCostAndGoesOnFromWhereItWas) {
