@@ -82,7 +82,7 @@ Inspection inspect(Source source, const BodySpec& spec) {
     upright.stands_upright = true;
     const Body body = make_body(spec, source);
     seen.repairs = body.repairs;
-    seen.solid = solid_of(body, make_body(upright, source));
+    seen.solid = solid_of(body, reposed(body, upright));
   } catch (const InputError& error) {
     seen.error = error.what();
   }

@@ -121,12 +121,13 @@ class DirectNlp final : public Nlp {
  private:
   [[nodiscard]] Moments lagrange_weight(std::span<const double> x,
                                         std::span<const double> multipliers) const override {
+    const Moments s = task_.total(x);
     Moments weight = Moments::Zero();
-    if (!margin()) weight = task_.problem.gradient(task_.total(x));
+    if (!margin()) weight = task_.problem.gradient(s);
     for (std::size_t r = 0; r < rows_.size(); ++r) weight += multipliers[r] * form(rows_[r]).transpose();
     if (own_form() && own_form()->variables() == 0) {
       const auto rows = static_cast<Eigen::Index>(nonlinear_count());
-      weight += own_form()->jacobian(task_.total(x), {}).transpose() *
+      weight += own_form()->jacobian(s, {}).transpose() *
                 Eigen::Map<const Eigen::VectorXd>(multipliers.data() + rows_.size(), rows);
     }
     return weight;
