@@ -17,6 +17,7 @@
 #include "record/map_record.hpp"
 #include "record/nest_record.hpp"
 #include "record/record.hpp"
+#include "record/records_in.hpp"
 
 namespace kreisel::core {
 namespace fs = std::filesystem;
@@ -150,11 +151,12 @@ class Nesting final : public Attempt {
 
 /// Whether more timed solves are asked for than when the record was made, and would be made now. A record
 /// that was asked the same is as good as another one would be.
-bool wants_more_samples(const RunConfig& config, const RecordSummary& record) {
+bool wants_more_samples(const RunConfig& config, const nlohmann::json& record) {
   double spent = 0;
-  for (const Seconds& sample : record.samples) spent += sample.solve;
-  return (record.repeat < config.repeat || record.budget_seconds < config.budget_seconds) &&
-         record.samples.size() < static_cast<std::size_t>(config.repeat) && spent < config.budget_seconds;
+  for (const nlohmann::json& sample : record.at("samples")) spent += sample.at("solve").get<double>();
+  return (record.at("repeat") < config.repeat || record.at("budget_seconds") < config.budget_seconds) &&
+         record.at("samples").size() < static_cast<std::size_t>(config.repeat) &&
+         spent < config.budget_seconds;
 }
 
 }  // namespace
@@ -172,16 +174,14 @@ std::unique_ptr<Attempt> make_attempt(const PlannedRun& run, const RunnerHooks& 
 RunState state_of(const PlannedRun& run) {
   std::error_code ignored;
   if (!fs::exists(run.record, ignored)) return RunState::missing;
-  if (run.run.nest) return read_nest(run.record).error.empty() ? RunState::finished : RunState::failed;
-  if (run.run.config.map && is_map(run.record)) {
-    const MapSummary map = read_map(run.record);
-    return map.axes == map.asked ? RunState::finished : RunState::missing;
-  }
-  const RecordSummary record = read_record(run.record);
-  if (is_limit(run.run.config.limits, record.error)) return RunState::finished;
+  const Record record = read_record(run.record);
+  if (is_limit(limits_of(run.run), record.error)) return RunState::finished;
   if (!record.error.empty()) return RunState::failed;
+  if (record.kind == RecordKind::map && record.summary.at("termination") != "complete")
+    return RunState::missing;
+  if (record.kind != RecordKind::run) return RunState::finished;
   if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
-  if (wants_more_samples(run.run.config, record)) return RunState::few_samples;
+  if (wants_more_samples(run.run.config, record.summary)) return RunState::few_samples;
   return RunState::finished;
 }
 

@@ -10,10 +10,7 @@
 #include <set>
 
 #include "error.hpp"
-#include "record/hdf5_file.hpp"
-#include "record/map_record.hpp"
-#include "record/nest_record.hpp"
-#include "record/record.hpp"
+#include "experiment/recorded_run.hpp"
 #include "record/records_in.hpp"
 #include "statistics.hpp"
 
@@ -22,33 +19,22 @@ namespace {
 
 using Fields = std::map<std::string, std::string>;
 
-Fields config_in(const std::filesystem::path& path) {
-  const hdf5::File file = hdf5::File::open(path);
-  const hdf5::Group group = file.group("config");
-  Fields config;
-  for (const std::string& key : group.attributes()) config[key] = group.text(key);
-  return config;
-}
-
-TimedRun of_run(const RecordSummary& r) {
-  TimedRun run{"run", r.config, r.error, r.termination, {}, {}};
-  if (!r.error.empty()) return run;
-  for (const Seconds& sample : r.samples) run.seconds.push_back(sample.solve);
-  run.objective = r.objective;
-  return run;
-}
-
-TimedRun of_map(const MapSummary& map) {
-  TimedRun run{"map", config_in(map.path), "", "", {map.sweep_seconds}, {}};
-  if (map.best) run.objective = map.best->objective;
-  return run;
-}
-
-TimedRun of_nest(const NestSummary& nest) {
-  TimedRun run{"nesting", nest.config, nest.error, nest.termination, {}, {}};
-  if (!nest.error.empty()) return run;
-  run.seconds = {nest.search_seconds};
-  if (nest.valid) run.objective = nest.scale;
+TimedRun timed(const Record& record) {
+  constexpr std::array names = {"run", "map", "nesting"};
+  TimedRun run{names[static_cast<std::size_t>(record.kind)], record.config(), record.error, "", {}, {}};
+  const auto number = [&](const char* name) {
+    const nlohmann::json found = value_in(record.summary, name);
+    return found.is_number() ? std::optional(found.get<double>()) : std::nullopt;
+  };
+  if (!record.error.empty()) return run;
+  if (record.kind != RecordKind::map) run.ending = record.summary.at("termination");
+  const nlohmann::json samples = value_in(record.summary, "samples");
+  for (const nlohmann::json& sample : samples) run.seconds.push_back(sample.at("solve"));
+  for (const char* name : {"seconds.sweep", "seconds.search"})
+    if (const auto seconds = number(name)) run.seconds.push_back(*seconds);
+  run.objective = record.kind == RecordKind::map       ? number("best.objective")
+                  : record.kind == RecordKind::nesting ? number("scale")
+                                                       : number("objective");
   return run;
 }
 
@@ -114,15 +100,9 @@ Pair pair_of(const TimedRun& a, const TimedRun& b, std::string name) {
 
 std::vector<TimedRun> timed_runs(const std::filesystem::path& folder) {
   std::vector<TimedRun> runs;
-  for (const std::filesystem::path& path : records_in(folder)) {
-    const RecordKind kind = kind_of_record(path);
-    if (kind == RecordKind::map)
-      runs.push_back(of_map(read_map(path)));
-    else if (kind == RecordKind::nesting)
-      runs.push_back(of_nest(read_nest(path)));
-    else if (kind == RecordKind::run)
-      runs.push_back(of_run(read_record(path)));
-  }
+  for (const std::filesystem::path& path : records_in(folder))
+    if (const Record record = read_record(path); record.kind != RecordKind::simulation)
+      runs.push_back(timed(record));
   if (runs.empty())
     throw InputError(
         fmt::format("{}: no records of runs, maps or nestings in it; expected some (*.h5)", folder.string()));

@@ -60,9 +60,10 @@ class Parser {
 
   Experiment parse() {
     const toml::array* runs = nullptr;
-    if (const toml::node* table = root_.get("table"))
-      experiment_.table = table_of(*table, table->source().begin.line);
-    nestings_ = find_table_kind(experiment_.table).nestings;
+    if (const toml::node* table = root_.get("table")) read_table(*table, table->source().begin.line);
+    const std::string of = experiment_.layout ? experiment_.layout->of : kind_set_out_by(experiment_.table);
+    nestings_ = of == "nesting";
+    maps_ = of == "map";
     ExperimentRun defaults;
     if (nestings_) defaults.nest.emplace();
     std::vector<Assignment> common;
@@ -105,11 +106,13 @@ class Parser {
     const unsigned line = root_.source().end.line;
     for (const ExperimentRun& run : experiment_.runs) {
       if (run.nest) continue;
-      if (run.config.map && experiment_.table != "maps")
+      if (run.config.map && !maps_)
         fail(line, fmt::format("table = \"{}\" with a map of orientations, expected table = \"maps\"",
                                experiment_.table));
-      if (!run.config.map && experiment_.table == "maps")
-        fail(line, "table = \"maps\" with a run that is none, expected axes or through in every run");
+      if (!run.config.map && maps_)
+        fail(line,
+             fmt::format("table = \"{}\" with a run that is no map, expected axes or through in every run",
+                         experiment_.table));
       if (run.config.limits.any() && (run.mesh || run.config.map))
         fail(line, "memory or seconds with mesh = true or a map, expected a solve that keeps no mesh");
       if (run.mesh && (run.config.map || run.config.part == Part::none))
@@ -123,14 +126,20 @@ class Parser {
     return *value;
   }
 
-  std::string table_of(const toml::node& node, unsigned line) const {
-    const std::string name = string_of("table", node, line);
+  /// `table = "NAME"`, or [table] with a layout of its own.
+  void read_table(const toml::node& node, unsigned line) {
     try {
-      (void)find_table_kind(name);
+      if (const toml::table* own = node.as_table()) {
+        experiment_.table = "of its own";
+        experiment_.layout = std::make_shared<const Layout>(read_layout(*own, experiment_.name, file_));
+      } else {
+        experiment_.table = string_of("table", node, line);
+        (void)kind_set_out_by(experiment_.table);
+      }
     } catch (const InputError& error) {
+      if (std::string_view(error.what()).starts_with(file_)) throw;
       fail(line, error.what());
     }
-    return name;
   }
 
   /// Stems of scripts; whether there are such scripts is seen when they are called.
@@ -275,7 +284,7 @@ class Parser {
 
   std::string file_;
   toml::table root_;
-  bool nestings_ = false;  ///< its runs are
+  bool nestings_ = false, maps_ = false;  ///< what its runs are
   Experiment experiment_;
 };
 
@@ -296,6 +305,15 @@ std::vector<fs::path> experiment_folders() {
 }
 
 }  // namespace
+
+std::map<std::string, std::string> fields_of(const ExperimentRun& run) {
+  if (!run.nest) return describe(run.config);
+  auto fields = describe(*run.nest);
+  fields["shapes"] = shapes_text(*run.nest);
+  return fields;
+}
+
+Limits limits_of(const ExperimentRun& run) { return run.nest ? Limits() : run.config.limits; }
 
 Experiment parse_experiment(std::string_view text, const fs::path& file) {
   return Parser(text, file).parse();

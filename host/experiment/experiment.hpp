@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +14,8 @@
 
 namespace kreisel::core {
 
+struct Layout;
+
 /// One run of an experiment: a solve or a map, or a nesting.
 struct ExperimentRun {
   RunConfig config;
@@ -20,13 +24,20 @@ struct ExperimentRun {
   bool mesh = false;               ///< keep the printable mesh beside the record
 };
 
+/// What was asked of a run: a text for each field that defines it, for tables to read.
+[[nodiscard]] std::map<std::string, std::string> fields_of(const ExperimentRun& run);
+
+/// What it may take; without limits of a nesting.
+[[nodiscard]] Limits limits_of(const ExperimentRun& run);
+
 /// A parsed experiment file.
 struct Experiment {
-  std::string name;                  ///< stem of the file; the folder of its records
-  std::string title;                 ///< one line; the name when the file gives none
-  std::string about;                 ///< the comment that opens the file, without its marks
-  std::string table = "runs";        ///< a name of table_kinds()
-  std::vector<std::string> figures;  ///< scripts of plots/ that draw its records, without ".py"
+  std::string name;                      ///< stem of the file; the folder of its records
+  std::string title;                     ///< one line; the name when the file gives none
+  std::string about;                     ///< the comment that opens the file, without its marks
+  std::string table = "runs";            ///< a name of table_summaries()
+  std::shared_ptr<const Layout> layout;  ///< of a [table] of its own; else none
+  std::vector<std::string> figures;      ///< scripts of plots/ that draw its records, without ".py"
   std::string published;  ///< published numbers to print beside ours, see published_file(); may be empty
   std::vector<ExperimentRun> runs;
 };
@@ -34,12 +45,12 @@ struct Experiment {
 /// Reads an experiment. Top-level keys are defaults of every run, `[[run]]` tables override them key by key,
 /// and lists multiply out: the key that comes first in the file varies slowest.
 ///
-///     title, table (see table_kinds()), published, figures   of the experiment, top level only
-///     label, mesh                                        of a run, never lists
-///     every key of set_field() except GROUP.NAME         a string, number or boolean (written yes or no)
-///     set.GROUP.NAME or set."GROUP.NAME"                 solver, problem and formulation settings
+///     title, table (see table_summaries(), or a layout), published, figures   of the experiment, top level
+///     only label, mesh                                        of a run, never lists every key of set_field()
+///     except GROUP.NAME         a string, number or boolean (written yes or no) set.GROUP.NAME or
+///     set."GROUP.NAME"                 solver, problem and formulation settings
 ///
-/// With a table of nestings (TableKind::nestings) every run is one, and the keys are those of NestConfig.
+/// With a table of nestings every run is one, and the keys are those of NestConfig.
 ///
 /// @param file  for messages, and its stem for the name
 /// @throws InputError  "FILE: line N: what, expected ...": bad TOML, unknown key, unfit value, no run

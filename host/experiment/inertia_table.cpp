@@ -49,26 +49,41 @@ void add_row(Sheet& sheet, const std::string& run, const std::string& body, cons
   sheet.add(std::move(row));
 }
 
+/// Ten moments of a record; zero where it has none.
+Moments moments_in(const RecordedRun& run, std::string_view name) {
+  Moments s = Moments::Zero();
+  const nlohmann::json list = run.at(name);
+  for (std::size_t k = 0; list.is_array() && k < list.size() && k < moment_names.size(); ++k)
+    s[static_cast<Eigen::Index>(k)] = list[k].is_number() ? list[k].get<double>() : 0;
+  return s;
+}
+
 Block block_of(const RecordedRun& run, const std::optional<Published>& published) {
-  std::string heading = run_text(run.run.config);
-  for (const auto& [name, value] : run.run.config.settings) heading += fmt::format(", {}={}", name, value);
+  std::string heading = run_text(run.run);
+  for (const auto& [name, value] : fields_of(run.run))
+    if (name.find('.') != std::string::npos) heading += fmt::format(", {}={}", name, value);
   Block block{heading, inertia_sheet(), note_of(run)};
-  if (has_result(run)) {
-    const RecordSummary& r = *run.record;
-    const double unit = r.mass_unit_grams * r.length_mm * r.length_mm / 100;  // M L^2 in g cm^2
-    const Matrix3d before = unit * inertia_about_centre(r.solid);
+  if (run.has_result()) {
+    const double length = run.number("frame.length").value_or(1);
+    const double unit = run.number("frame.mass").value_or(1) * length * length / 100;  // M L^2 in g cm^2
+    const Moments solid = moments_in(run, "solid_moments_body");
+    const Matrix3d before = unit * inertia_about_centre(solid);
     const auto add = [&](const char* body, const Moments& s) {
       if (s[S1] > 0) add_row(block.sheet, heading, body, unit * inertia_about_centre(s), before(2, 2));
     };
-    add("solid", r.solid);
-    add("optimum", r.optimum);
-    add("as written", r.written);
-    block.notes += fmt::format("verified: {}\n", r.verified_text);
+    add("solid", solid);
+    add("optimum", moments_in(run, "moments_body"));
+    add("as written", moments_in(run, "verified.moments_body"));
+    if (const nlohmann::json text = run.at("verified.text"); text.is_string())
+      block.notes += fmt::format("verified: {}\n", text.get<std::string>());
   } else if (!run.record) {
     block.notes += "not run\n";
   }
-  if (const PublishedRow* row = find_row(run, published); row && row->inertia) {
-    const Matrix3d before = matrix_of(row->inertia->before), after = matrix_of(row->inertia->after);
+  const nlohmann::json* row = published ? published->find(run) : nullptr;
+  if (row && row->contains("inertia")) {
+    using Six = std::array<double, 6>;
+    const Matrix3d before = matrix_of(row->at("inertia").at("before").get<Six>()),
+                   after = matrix_of(row->at("inertia").at("after").get<Six>());
     add_row(block.sheet, heading, "paper, before", before, before(2, 2));
     add_row(block.sheet, heading, "paper, after", after, before(2, 2));
   }
@@ -85,7 +100,7 @@ Tables inertia_tables(const std::vector<RecordedRun>& runs, const std::optional<
       "tensor, minus the products of inertia;\n"
       "the paper's rows are as printed there, unit and sign of the products not stated; tilt: between z and "
       "the nearest principal axis\n" +
-      provenance_text(runs) + '\n';
+      provenance_text(pointers(runs)) + '\n';
   if (published) tables.legend += fmt::format("paper: {}\n", published->source);
   return tables;
 }

@@ -1,11 +1,13 @@
+#include "experiment/nest_variants_table.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 
-#include "experiment/nest_table.hpp"
-#include "experiment/nest_table_parts.hpp"
+#include "experiment/run_text.hpp"
+#include "experiment/table_parts.hpp"
 #include "statistics.hpp"
 
 namespace kreisel::core {
@@ -34,13 +36,30 @@ Sheet empty_sheet(bool paper) {
   return Sheet(std::move(columns));
 }
 
+std::string shapes_in(const RecordedRun& run) { return fields_of(run.run).at("shapes"); }
+
+/// What each pair of shapes has, in the order of the runs.
+std::vector<std::string> shapes_of(const std::vector<RecordedRun>& runs) {
+  std::vector<std::string> all;
+  for (const RecordedRun& run : runs)
+    if (const std::string shapes = shapes_in(run); std::ranges::find(all, shapes) == all.end())
+      all.push_back(shapes);
+  return all;
+}
+
+/// Why a run has no result; empty where it has one.
+std::string note_of_nesting(const RecordedRun& run) {
+  if (run.has_result()) return {};
+  return fmt::format("{}: {}\n", run_text(run.run), run.record ? "error - " + run.record->error : "not run");
+}
+
 /// What a paper reaches with the same outer shape.
 std::optional<double> printed_scale(const std::string& shapes, const std::optional<Published>& published) {
   if (!published) return std::nullopt;
-  const auto at = std::ranges::find_if(published->rows, [&](const PublishedRow& row) {
-    return row.nesting && shapes == fmt::format("{0} in {0}", row.model);
-  });
-  return at == published->rows.end() ? std::nullopt : std::optional(at->nesting->scale);
+  for (const nlohmann::json& row : published->rows)
+    if (row.contains("nesting") && shapes == fmt::format("{0} in {0}", row.at("model").get<std::string>()))
+      return row.at("nesting").at("scale").get<double>();
+  return std::nullopt;
 }
 
 std::vector<Cell> row_of(const Seeds& seeds, const std::string& shapes, double best) {
@@ -64,8 +83,8 @@ std::vector<Cell> row_of(const Seeds& seeds, const std::string& shapes, double b
 std::vector<std::string> settings_of_search(const std::vector<RecordedRun>& runs) {
   std::vector<std::map<std::string, std::string>> all;
   for (const RecordedRun& run : runs) {
-    auto& fields = all.emplace_back(describe(*run.run.nest));
-    for (const char* key : {"outer", "inner", "seed"}) fields.erase(key);
+    auto& fields = all.emplace_back(fields_of(run.run));
+    for (const char* key : {"outer", "inner", "seed", "shapes"}) fields.erase(key);
   }
   const auto shared = [&](const std::pair<const std::string, std::string>& field) {
     return std::ranges::all_of(all, [&](const auto& other) {
@@ -94,16 +113,16 @@ Tables nest_variants_tables(const std::vector<RecordedRun>& runs, const std::opt
     double best = 0;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const RecordedRun& run = runs[i];
-      if (shapes_text(*run.run.nest) != shapes) continue;
+      if (shapes_in(run) != shapes) continue;
       notes += note_of_nesting(run);
-      if (!has_nesting(run)) continue;
+      if (!run.has_result()) continue;
       auto at = std::ranges::find(rows, settings[i], &Seeds::setting);
       if (at == rows.end()) at = rows.insert(rows.end(), {settings[i], {}, {}, {}, {}});
-      const double scale = run.nest->valid ? run.nest->scale : 0;
+      const double scale = run.at("valid") == true ? run.number("scale").value_or(0) : 0;
       at->scales.push_back(scale);
-      at->sampled.push_back(run.nest->sampled_scale.value_or(0));
-      at->seconds.push_back(run.nest->search_seconds);
-      at->evaluations.push_back(static_cast<double>(run.nest->evaluations));
+      at->sampled.push_back(run.number("sampled_scale").value_or(0));
+      at->seconds.push_back(run.number("seconds.search").value_or(0));
+      at->evaluations.push_back(run.number("evaluations").value_or(0));
       best = std::max(best, scale);
     }
     std::ranges::stable_sort(rows, std::greater(),
@@ -121,7 +140,7 @@ Tables nest_variants_tables(const std::vector<RecordedRun>& runs, const std::opt
   }
   tables.legend =
       "the setting with the highest median first; near the best of all: seeds within 2 % of it\n" +
-      provenance_of_nestings(runs);
+      provenance_text(pointers(runs)) + '\n';
   if (published)
     tables.legend += fmt::format(
         "reach the paper's: seeds whose nesting views of 512 x 512 pixels call valid at a scale no "

@@ -42,9 +42,9 @@ void OutsideNesting::run(const Control& control) {
 }
 
 std::string OutsideNesting::text() const {
-  const NestSummary nest = read_nest(run_.record);
-  return fmt::format("{}: {}, scale {:.4f}, {} evaluations, {:.3g} s", run_text(run_.run), nest.termination,
-                     nest.scale, nest.evaluations, nest.search_seconds);
+  const NestResult nest = read_nest(run_.record);
+  return fmt::format("{}: {}, scale {:.4f}, {} evaluations, {:.3g} s", run_text(run_.run),
+                     termination_of(nest), nest.scale, nest.evaluations, nest.search_seconds);
 }
 
 }  // namespace kreisel::core

@@ -74,9 +74,10 @@ void OutsideSolve::run(const Control& control) {
 }
 
 std::string OutsideSolve::text() const {
-  const RecordSummary r = read_record(run_.record);
+  const RunResult r = read_run(run_.record);
   return fmt::format("{}: {}, {} variables, {} iterations, {:.3g} s, f = {:.6g}", run_text(run_.run),
-                     r.termination, r.variables, r.iterations, r.median.solve, r.objective);
+                     to_string(r.outcome.termination), r.variables, r.outcome.iterations, r.median.solve,
+                     r.outcome.objective);
 }
 
 void OutsideSolve::keep() {

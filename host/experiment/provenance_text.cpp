@@ -11,25 +11,6 @@
 namespace kreisel::core {
 namespace {
 
-/// What the three kinds of records have in common.
-struct Origin {
-  std::string device, commit, day;
-  std::optional<double> load;
-};
-
-template <class Summary>
-Origin origin(const Summary& summary) {
-  constexpr std::size_t of_day = 10;  // 2026-11-28 of 2026-11-28T23:48:14Z
-  return {summary.device, summary.commit, summary.started.substr(0, of_day), summary.load};
-}
-
-std::optional<Origin> origin_of(const RecordedRun& run) {
-  if (run.nest) return origin(*run.nest);
-  if (run.map) return origin(*run.map);
-  if (run.record) return origin(*run.record);
-  return std::nullopt;
-}
-
 /// "3", or "3 to 5".
 template <class T>
 std::string range_text(const std::set<T>& values) {
@@ -40,21 +21,25 @@ std::string range_text(const std::set<T>& values) {
 
 }  // namespace
 
-std::string provenance_text(const std::vector<RecordedRun>& runs) {
+std::string provenance_text(const Runs& runs) {
+  constexpr std::size_t of_day = 10;  // 2026-11-28 of 2026-11-28T23:48:14Z
   std::set<std::string> devices, commits, days;
   std::set<double> loads;
   std::set<std::size_t> samples;
   std::size_t recorded = 0;
-  for (const RecordedRun& run : runs) {
-    const std::optional<Origin> origin = origin_of(run);
-    if (!origin) continue;
+  // A run that failed before it opened the device knows the day alone, or nothing.
+  const auto note = [](std::set<std::string>& into, const nlohmann::json& value, std::size_t length) {
+    if (value.is_string() && !value.get<std::string>().empty())
+      into.insert(value.get<std::string>().substr(0, length));
+  };
+  for (const RecordedRun* run : runs) {
+    if (!run->record) continue;
     ++recorded;
-    // A run that failed before it opened the device knows the day alone, or nothing.
-    if (!origin->device.empty()) devices.insert(origin->device);
-    if (!origin->commit.empty()) commits.insert(origin->commit);
-    if (!origin->day.empty()) days.insert(origin->day);
-    if (origin->load) loads.insert(std::round(10 * *origin->load) / 10);
-    if (run.record && run.record->error.empty()) samples.insert(run.record->samples.size());
+    note(devices, run->at("device"), std::string::npos);
+    note(commits, run->at("commit"), std::string::npos);
+    note(days, run->at("provenance.started"), of_day);
+    if (const auto load = run->number("provenance.load")) loads.insert(std::round(10 * *load) / 10);
+    if (run->has_result() && run->at("samples").is_array()) samples.insert(run->at("samples").size());
   }
   if (recorded == 0) return "no records yet";
   std::string text = fmt::format("device {}; commit {}", fmt::join(devices, ", "), fmt::join(commits, ", "));

@@ -1,94 +1,87 @@
 #include "experiment/published.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "error.hpp"
+#include "experiment/columns.hpp"
+#include "problem/problem.hpp"
 
 namespace kreisel::core {
 namespace {
 
-std::optional<PublishedRow::Side> side(const nlohmann::json& row, const char* name) {
-  if (!row.contains(name)) return std::nullopt;
-  const auto& found = row.at(name);
-  return PublishedRow::Side{found.at("variables").get<int>(), found.at("seconds").get<double>()};
+using nlohmann::json;
+
+/// What is fixed for all rows: whoever reads numbers may count on these being what they are.
+void require_row(const json& row) {
+  (void)row.at("model").get<std::string>();
+  if (row.contains("grid") && row.at("grid").get<std::vector<int>>().size() != 3)
+    throw InputError("a grid that is no list of three");
+  for (const char* name : {"problem", "label", "solver"})
+    if (row.contains(name)) (void)row.at(name).get<std::string>();
+  if (row.contains("settings")) (void)row.at("settings").get<std::map<std::string, std::string>>();
+  for (const auto& [name, value] : row.items())
+    if (value.is_null() || (value.is_string() && name.find("seconds") != name.npos))
+      throw InputError(fmt::format("{} that is no number", name));
 }
 
-std::optional<PublishedRow::Inertia> inertia(const nlohmann::json& row) {
-  if (!row.contains("inertia")) return std::nullopt;
-  using Six = std::array<double, 6>;
-  const auto& found = row.at("inertia");
-  return PublishedRow::Inertia{found.at("before").get<Six>(), found.at("after").get<Six>()};
+bool same_text(const json& row, const char* name, const json& of_run) {
+  return !row.contains(name) || of_run.is_null() || row.at(name) == of_run;
 }
 
-std::optional<PublishedRow::Standing> standing(const nlohmann::json& row) {
-  if (!row.contains("standing")) return std::nullopt;
-  const auto& found = row.at("standing");
-  return PublishedRow::Standing{found.at("height_percent").get<double>(),
-                                found.at("tilt_degrees").get<double>()};
+bool same_label(const json& row, const std::string& label) {
+  if (!row.contains("label")) return true;
+  const std::string printed = row.at("label");
+  return label == printed || label.starts_with(printed + ",");
 }
 
-std::optional<PublishedRow::Voids> voids(const nlohmann::json& row) {
-  if (!row.contains("voids")) return std::nullopt;
-  const auto& found = row.at("voids");
-  return PublishedRow::Voids{found.at("pieces").get<int>(), found.at("cuts").get<int>()};
-}
-
-std::optional<PublishedRow::Nesting> nesting(const nlohmann::json& row) {
-  if (!row.contains("nesting")) return std::nullopt;
-  const auto& found = row.at("nesting");
-  return PublishedRow::Nesting{found.at("triangles").get<int>(), found.at("test_ms").get<double>(),
-                               found.at("search_ms").get<double>(), found.at("seconds").get<double>(),
-                               found.at("scale").get<double>()};
+bool same_settings(const json& row, const RecordedRun& run) {
+  if (!row.contains("settings")) return true;
+  auto settings = run.fields();
+  for (const ProblemEntry& problem : problems())
+    if (problem.name == settings["problem"])
+      for (const auto& [name, value] : problem.weights) settings.try_emplace("problem." + name, value);
+  return std::ranges::all_of(row.at("settings").items(), [&](const auto& wanted) {
+    const auto found = settings.find(wanted.key());
+    return found != settings.end() && found->second == wanted.value();
+  });
 }
 
 }  // namespace
 
-const PublishedRow* Published::find(const std::string& model, const std::optional<std::array<int, 3>>& grid,
-                                    const std::string& problem,
-                                    const std::map<std::string, std::string>& settings) const {
-  const auto at = std::find_if(rows.begin(), rows.end(), [&](const PublishedRow& row) {
-    return row.model == model && (!row.grid || row.grid == grid) &&
-           (row.problem.empty() || problem.empty() || row.problem == problem) &&
-           std::ranges::includes(settings, row.settings);
-  });
+bool belongs(const json& row, const RecordedRun& run) {
+  const json grid = value_of(run, "grid");
+  const bool same_grid =
+      !row.contains("grid") || grid == fmt::format("{}", fmt::join(row["grid"].get<std::vector<int>>(), "x"));
+  return same_grid && same_label(row, run.run.label) && same_text(row, "model", value_of(run, "model")) &&
+         same_text(row, "problem", value_of(run, "problem")) && same_settings(row, run);
+}
+
+const json* Published::find(const RecordedRun& run) const {
+  const auto at = std::ranges::find_if(rows, [&](const json& row) { return belongs(row, run); });
   return at == rows.end() ? nullptr : &*at;
 }
 
 Published read_published(const std::filesystem::path& file) {
+  const auto refuse = [&](std::string what) {
+    std::replace(what.begin(), what.end(), '\n', ' ');
+    return InputError(
+        fmt::format("{}: {}, expected source, machine and rows of published numbers", file.string(), what));
+  };
   std::ifstream stream(file);
   if (!stream) throw InputError(fmt::format("{}: cannot be read, expected published numbers", file.string()));
   try {
-    const auto json = nlohmann::json::parse(stream);
-    Published published{json.at("source").get<std::string>(), json.at("machine").get<std::string>(), {}};
-    for (const auto& row : json.at("rows")) {
-      PublishedRow& out = published.rows.emplace_back();
-      out.model = row.at("model").get<std::string>();
-      if (row.contains("grid")) out.grid = row.at("grid").get<std::array<int, 3>>();
-      out.problem = row.value("problem", "");
-      out.label = row.value("label", "");
-      out.solver = row.value("solver", "");
-      out.rayrep = side(row, "rayrep");
-      out.voxel = side(row, "voxel");
-      if (row.contains("speedup")) out.speedup = row.at("speedup").get<double>();
-      if (row.contains("seconds")) out.seconds = row.at("seconds").get<double>();
-      out.inertia = inertia(row);
-      out.standing = standing(row);
-      out.voids = voids(row);
-      out.nesting = nesting(row);
-      if (row.contains("omega_reduction")) out.omega_reduction = row.at("omega_reduction").get<double>();
-      if (row.contains("settings"))
-        out.settings = row.at("settings").get<std::map<std::string, std::string>>();
-    }
+    const json read = json::parse(stream);
+    Published published{read.at("source"), read.at("machine"), read.at("rows")};
+    for (const json& row : published.rows) require_row(row);
     return published;
-  } catch (const nlohmann::json::exception& error) {
-    std::string what = error.what();
-    std::replace(what.begin(), what.end(), '\n', ' ');
-    throw InputError(
-        fmt::format("{}: {}, expected source, machine and rows of published numbers", file.string(), what));
+  } catch (const json::exception& error) {
+    throw refuse(error.what());
+  } catch (const InputError& error) {
+    throw refuse(error.what());
   }
 }
 

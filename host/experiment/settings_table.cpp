@@ -10,6 +10,7 @@
 
 #include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
+#include "solve/solver.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -26,29 +27,35 @@ enum class By { setting, formulation };
 
 /// What a block has in its name; the rest of a configuration is settings.
 Fields settings_of(const RecordedRun& run, By by) {
-  Fields fields = describe(run.run.config);
+  Fields fields = fields_of(run.run);
+  const bool own_solver = fields["solver"] == default_solver(fields["formulation"]).name;
   for (const char* key : {"model", "resolution", "problem"}) fields.erase(key);
   // A formulation has one solver of its own; another one is written in the experiment as a setting would be.
   if (by == By::formulation)
     for (const char* key : {"domain", "certify", "part"}) fields.erase(key);
   else
     fields.erase("formulation");
-  if (by == By::formulation && run.run.config.solver.empty()) fields.erase("solver");
+  if (by == By::formulation && own_solver) fields.erase("solver");
   return fields;
 }
 
+std::string text_in(const RecordedRun& run, std::string_view name) { return cell_of_column(run, name).data; }
+
 /// Only interiors of one domain can be compared, so its name stands where formulations differ.
-std::string name_of(const RunConfig& config, By by) {
+std::string name_of(const RecordedRun& run, By by) {
+  const Fields fields = fields_of(run.run);
   const std::string body =
-      fmt::format("{} {}, {}", model_text(config), grid_text(config.grid), config.problem);
-  return by == By::setting ? fmt::format("{}, {}", body, config.formulation)
-                           : fmt::format("{}, domain {}", body, domain_of(config));
+      fmt::format("{} {}, {}", text_in(run, "model"), fields.at("resolution"), fields.at("problem"));
+  const auto domain = fields.find("domain");
+  return by == By::setting
+             ? fmt::format("{}, {}", body, fields.at("formulation"))
+             : fmt::format("{}, domain {}", body, domain == fields.end() ? "columns" : domain->second);
 }
 
 std::vector<SettingsGroup> groups_of(const std::vector<RecordedRun>& runs, By by) {
   std::vector<SettingsGroup> groups;
   for (const RecordedRun& run : runs) {
-    const std::string name = name_of(run.run.config, by);
+    const std::string name = name_of(run, by);
     find_or_add(
         groups, [&](const SettingsGroup& g) { return g.name == name; },
         [&] {
@@ -88,7 +95,8 @@ std::string text_of(const Fields& fields, const Fields& common, bool whole) {
 std::optional<double> best_of(const SettingsGroup& group) {
   std::optional<double> best;
   for (const RecordedRun* run : group.runs)
-    if (is_converged(*run)) best = std::min(best.value_or(run->record->objective), run->record->objective);
+    if (const auto f = run->number("objective"); f && run->is_converged())
+      best = std::min(best.value_or(*f), *f);
   return best;
 }
 
@@ -120,51 +128,43 @@ Sheet empty_sheet(bool labels, bool certified, By by) {
 }
 
 /// "rayrep, bounds=midpoint": the formulation comes first, without its key.
-std::string with_formulation(const RecordedRun& run, Fields fields, const Fields& common, bool whole) {
+std::string with_formulation(Fields fields, const Fields& common, bool whole) {
+  const std::string formulation = fields["formulation"];
   fields.erase("formulation");
   const std::string rest = text_of(fields, common, whole);
-  return rest == "defaults" ? run.run.config.formulation
-                            : fmt::format("{}, {}", run.run.config.formulation, rest);
+  return rest == "defaults" ? formulation : fmt::format("{}, {}", formulation, rest);
 }
 
 void add_row(Block& block, const SettingsGroup& group, const RecordedRun& run, const Fields& common,
              bool certified, By by) {
-  const SolveCells solve(run);
-  const RunConfig& config = run.run.config;
   const RecordedRun& first = *group.runs.front();
   std::optional<double> time, above;
-  if (is_converged(run)) {
-    if (is_converged(first) && first.record->median.solve > 0)
-      time = run.record->median.solve / first.record->median.solve;
-    if (const auto best = best_of(group); *best != 0)
-      above = (run.record->objective - *best) / std::abs(*best) * 100;
+  if (run.is_converged()) {
+    const auto here = run.number("seconds.solve"), there = first.number("seconds.solve");
+    if (first.is_converged() && here && there && *there > 0) time = *here / *there;
+    const auto best = best_of(group), f = run.number("objective");
+    if (best && f && *best != 0) above = (*f - *best) / std::abs(*best) * 100;
   }
   const Fields fields = settings_of(run, by);
   const auto text = [&](bool whole) {
-    return by == By::setting ? text_of(fields, common, whole) : with_formulation(run, fields, common, whole);
+    return by == By::setting ? text_of(fields, common, whole) : with_formulation(fields, common, whole);
   };
   const std::string setting = text(false);
   const bool same_as_before =
       !block.sheet.rows().empty() && block.sheet.rows().back()[4].data == run.run.label;
-  std::vector<Cell> cells = {model_text(config),
-                             grid_text(run),
-                             config.problem,
-                             config.formulation,
-                             Cell(same_as_before ? "" : run.run.label, run.run.label),
-                             Cell(setting, text(true)),
-                             termination_text(run),
-                             solve.iterations,
-                             solve.seconds,
-                             solve.half_iqr,
-                             solve.samples,
-                             Cell::of(time, "{:.2f}"),
-                             solve.variables,
-                             solve.objective,
-                             Cell::of(above, "{:.3f}"),
-                             solve.violation,
-                             solve.verified,
-                             solve.setup};
-  if (certified) cells.push_back(gap_cell(run));
+  std::vector<Cell> cells;
+  const auto add = [&](std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) cells.push_back(cell_of_column(run, name));
+  };
+  add({"model", "grid", "problem", "formulation"});
+  cells.emplace_back(same_as_before ? "" : run.run.label, run.run.label);
+  cells.emplace_back(setting, text(true));
+  add({"termination", "iterations", "seconds", "seconds_half_iqr", "samples"});
+  cells.push_back(Cell::of(time, "{:.2f}"));
+  add({"variables", "objective"});
+  cells.push_back(Cell::of(above, "{:.3f}"));
+  add({"violation", "verified", "setup_seconds"});
+  if (certified) add({"gap_percent"});
   block.sheet.add(std::move(cells));
   block.notes += note_of(run, true, setting);
 }
@@ -188,7 +188,7 @@ Tables tables_by(By by, const std::vector<RecordedRun>& runs) {
       "constraints, body units;\n"
       "times and distances are those of converged solves\n";
   if (certified) tables.legend += certified_legend;
-  tables.legend += provenance_text(runs) + '\n';
+  tables.legend += provenance_text(pointers(runs)) + '\n';
   return tables;
 }
 

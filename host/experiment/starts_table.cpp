@@ -7,7 +7,6 @@
 #include <limits>
 #include <map>
 
-#include "experiment/run_text.hpp"
 #include "experiment/table_parts.hpp"
 #include "statistics.hpp"
 
@@ -23,7 +22,7 @@ struct TaskRuns {
 std::vector<TaskRuns> tasks_of(const std::vector<RecordedRun>& runs) {
   std::vector<TaskRuns> tasks;
   for (const RecordedRun& run : runs) {
-    auto fields = describe(run.run.config);
+    auto fields = fields_of(run.run);
     fields.erase("moment.seed");
     const auto same = [&](const TaskRuns& t) { return t.label == run.run.label && t.fields == fields; };
     find_or_add(tasks, same, [&] { return TaskRuns{fields, run.run.label, {}}; }).runs.push_back(&run);
@@ -44,54 +43,64 @@ Cell spread(std::vector<double> values, int digits) {
           fmt::format("{}", middle)};
 }
 
-std::vector<Cell> cells_of(const TaskRuns& task) {
-  std::size_t ran = 0, optimal = 0;
-  double best = std::numeric_limits<double>::infinity();
-  std::vector<double> iterations, evaluations, milliseconds;
-  for (const RecordedRun* run : task.runs) {
-    if (!has_result(*run)) continue;
-    ++ran;
-    if (!is_optimal(*run)) continue;
-    const RecordSummary& r = *run->record;
-    best = std::min(best, r.objective);
-    iterations.push_back(r.iterations);
-    evaluations.push_back(r.evaluations);
-    milliseconds.push_back(1e3 * r.median.solve);
-  }
+/// Of the starts that end at the lowest objective.
+struct AtBest {
+  std::size_t count = 0;
   double violation = 0;
   std::optional<double> eigenvalue;
   std::string strict;
-  for (const RecordedRun* run : task.runs) {
-    if (!is_optimal(*run) || !(run->record->objective <= best + 1e-6 * std::abs(best))) continue;
-    const RecordSummary& r = *run->record;
-    ++optimal;
-    violation = std::max(violation, r.violation);
-    if (strict.empty()) strict = r.strict_minimum;
-    if (r.strict_minimum != strict) strict = "not all alike";
-    if (r.smallest_eigenvalue)
-      eigenvalue = std::min(eigenvalue.value_or(*r.smallest_eigenvalue), *r.smallest_eigenvalue);
+
+  void add(const RecordedRun& run) {
+    ++count;
+    violation = std::max(violation, run.number("constraint_violation").value_or(0));
+    const nlohmann::json answer = run.at("local_minimum.strict");
+    const std::string text = answer.is_string() ? answer : "";
+    if (strict.empty()) strict = text;
+    if (text != strict) strict = "not all alike";
+    if (const auto e = run.number("local_minimum.smallest_eigenvalue"))
+      eigenvalue = std::min(eigenvalue.value_or(*e), *e);
   }
-  const auto if_any = [&](double value) { return optimal ? std::optional(value) : std::nullopt; };
+};
+
+std::vector<Cell> cells_of(const TaskRuns& task) {
+  std::size_t ran = 0;
+  double best = std::numeric_limits<double>::infinity();
+  std::vector<double> iterations, evaluations, milliseconds;
+  const auto note = [](std::vector<double>& into, const std::optional<double>& value, double unit = 1) {
+    if (value) into.push_back(unit * *value);
+  };
+  for (const RecordedRun* run : task.runs) {
+    if (!run->has_result()) continue;
+    ++ran;
+    if (!run->is_optimal()) continue;
+    best = std::min(best, run->number("objective").value_or(best));
+    note(iterations, run->number("iterations"));
+    const nlohmann::json passes = value_of(*run, "evaluations_of_f");
+    if (passes.is_number()) evaluations.push_back(passes);
+    note(milliseconds, run->number("seconds.solve"), 1e3);
+  }
+  AtBest at_best;
+  for (const RecordedRun* run : task.runs)
+    if (const auto f = run->number("objective"); run->is_optimal() && f && *f <= best + 1e-6 * std::abs(best))
+      at_best.add(*run);
+  const auto if_any = [&](double value) { return at_best.count ? std::optional(value) : std::nullopt; };
+  const double starts =
+      static_cast<double>(ran) / static_cast<double>(std::max<std::size_t>(at_best.count, 1));
   return {fmt::format("{}", ran),
-          fmt::format("{}", optimal),
-          Cell::of(if_any(static_cast<double>(ran) / static_cast<double>(std::max<std::size_t>(optimal, 1))),
-                   "{:.2f}"),
+          fmt::format("{}", at_best.count),
+          Cell::of(if_any(starts), "{:.2f}"),
           spread(iterations, 0),
           spread(evaluations, 0),
           spread(milliseconds, 2),
           Cell::of(if_any(best), "{:.6g}"),
-          Cell::of(if_any(violation), "{:.1e}"),
-          strict,
-          Cell::of(eigenvalue, "{:.3g}")};
+          Cell::of(if_any(at_best.violation), "{:.1e}"),
+          at_best.strict,
+          Cell::of(at_best.eigenvalue, "{:.3g}")};
 }
 
 Cell printed(const TaskRuns& task, const std::optional<Published>& published) {
-  if (!published) return Cell::none();
-  const std::string model = model_text(task.runs.front()->run.config);
-  const auto at = std::ranges::find_if(published->rows, [&](const PublishedRow& row) {
-    return row.seconds && row.model == model && row.label == task.label;
-  });
-  return at == published->rows.end() ? Cell::none() : Cell::of(at->seconds, "{:g}");
+  const nlohmann::json* row = published ? published->find(*task.runs.front()) : nullptr;
+  return row ? cell_of(value_in(*row, "seconds"), "g", ", ") : Cell::none();
 }
 
 }  // namespace
@@ -115,17 +124,15 @@ Tables starts_tables(const std::vector<RecordedRun>& runs, const std::optional<P
   std::string notes;
   for (const TaskRuns& task : tasks_of(runs)) {
     const RecordedRun& first = *task.runs.front();
-    std::vector<Cell> cells = {task.label, model_text(first.run.config), grid_text(first),
-                               first.run.config.problem};
+    std::vector<Cell> cells = {task.label};
+    for (const char* name : {"model", "grid", "problem"}) cells.push_back(cell_of_column(first, name));
     for (Cell& cell : cells_of(task)) cells.push_back(std::move(cell));
     cells.push_back(printed(task, published));
     sheet.add(std::move(cells));
     for (const RecordedRun* run : task.runs) {
-      const auto seed = run->run.config.settings.find("moment.seed");
+      const Cell seed = cell_of_column(*run, "asked.moment.seed");
       notes += note_of(*run, true,
-                       seed == run->run.config.settings.end()
-                           ? task.label
-                           : fmt::format("{}, seed {}", task.label, seed->second));
+                       seed.data.empty() ? task.label : fmt::format("{}, seed {}", task.label, seed.data));
     }
   }
   Tables tables{
@@ -134,10 +141,10 @@ Tables starts_tables(const std::vector<RecordedRun>& runs, const std::optional<P
       "for each of these;\n"
       "passes: over the rays, coarse ones included; strict, eigenvalue: the second-order "
       "condition, docs/quadric.md, section 3\n" +
-          provenance_text(runs) + '\n'};
+          provenance_text(pointers(runs)) + '\n'};
   if (published)
     tables.legend +=
-        paper_text(published) +
+        fmt::format("paper: {}; {}\n", published->source, published->machine) +
         "the paper's machine, code and bodies are others, so its seconds tell nothing but the order "
         "of magnitude; an evaluation there is a mesh boolean\n";
   return tables;

@@ -1,4 +1,4 @@
-// table.hpp - an experiment's records as a table; each kind of table is one file and one line here.
+// table.hpp - an experiment's records as tables: most by a layout, which is data; a few by code.
 #pragma once
 
 #include <filesystem>
@@ -7,50 +7,31 @@
 #include <string_view>
 #include <vector>
 
-#include "experiment/experiment.hpp"
-#include "experiment/published.hpp"
+#include "experiment/layout.hpp"
 #include "experiment/sheet.hpp"
-#include "record/map_record.hpp"
-#include "record/nest_record.hpp"
-#include "record/record.hpp"
 
 namespace kreisel::core {
 
-/// A run of an experiment with what is on record for it.
-struct RecordedRun {
-  ExperimentRun run;
-  std::optional<RecordSummary> record;  ///< of a solve, or of what failed; empty: it did not run yet
-  std::optional<MapSummary> map;        ///< of a map
-  std::optional<NestSummary> nest;      ///< of a nesting
-
-  /// The record's file; empty where there is none.
-  [[nodiscard]] std::filesystem::path path() const {
-    return nest ? nest->path : map ? map->path : record ? record->path : std::filesystem::path();
-  }
-};
-
-/// A way to set runs out, as `table = "NAME"` of an experiment names it.
+/// A way to set runs out that a layout cannot say: what a row shows depends on the other rows.
 struct TableKind {
   std::string_view name, summary;
+  std::string_view of;  ///< the kind of its runs, as Layout::of
   Tables (*make)(const std::vector<RecordedRun>& runs, const std::optional<Published>& published);
-  bool nestings = false;  ///< sets out nestings, not solves or maps
 };
 
 [[nodiscard]] const std::vector<TableKind>& table_kinds();
 
-/// @throws InputError  unknown name; lists those there are
-[[nodiscard]] const TableKind& find_table_kind(std::string_view name);
+/// Names that `table = "NAME"` of an experiment may have, each with its summary, sorted.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> table_summaries();
 
-/// Every run of the experiment, in the order of the file, with its record under `results`.
-///
-/// @throws InputError  a record that cannot be read
-[[nodiscard]] std::vector<RecordedRun> collect(const Experiment& experiment,
-                                               const std::filesystem::path& results);
+/// The kind of run that a table sets out: solve, map, nesting; empty: any.
+/// @throws InputError  unknown name; lists those there are
+[[nodiscard]] std::string kind_set_out_by(const std::string& table);
 
 /// The tables that the experiment names, beside the published numbers that it names. Runs that are not on
 /// record and name an absent mesh file are left out, and the legend says so.
 ///
-/// @throws InputError  published numbers that cannot be read
+/// @throws InputError  published numbers or a layout that cannot be read
 [[nodiscard]] Tables tables_of(const Experiment& experiment, const std::vector<RecordedRun>& runs);
 
 /// tables_of() as aligned plain text under the title, of at most 150 columns (models and settings with long
@@ -59,9 +40,5 @@ struct TableKind {
 
 /// The same rows as CSV with a heading line; missing values are empty.
 [[nodiscard]] std::string table_csv(const Experiment& experiment, const std::vector<RecordedRun>& runs);
-
-/// "runs": a row a run, for any experiment.
-[[nodiscard]] Tables runs_tables(const std::vector<RecordedRun>& runs,
-                                 const std::optional<Published>& published);
 
 }  // namespace kreisel::core

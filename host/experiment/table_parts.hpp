@@ -1,71 +1,37 @@
-// table_parts.hpp - what the tables share: the numbers of a record as they are printed.
+// table_parts.hpp - what the tables that are made by code share.
 #pragma once
 
 #include <algorithm>
-#include <string>
 #include <string_view>
 #include <vector>
 
+#include "experiment/columns.hpp"
 #include "experiment/provenance_text.hpp"
-#include "experiment/table.hpp"
+#include "experiment/sheet.hpp"
 
 namespace kreisel::core {
-
-/// Half the interquartile range of `solve` over the samples.
-[[nodiscard]] double half_interquartile_range(const std::vector<Seconds>& samples);
-
-/// "34.74 ± 0.12": median seconds of the solve and their spread; no spread for a single sample.
-[[nodiscard]] std::string seconds_text(const RecordSummary& record);
-
-/// "not run", "error", else the termination.
-[[nodiscard]] std::string termination_text(const RecordedRun& run);
-
-/// There is a result with numbers in it, whatever its termination.
-[[nodiscard]] bool has_result(const RecordedRun& run);
-
-/// Has a result, which is optimal.
-[[nodiscard]] bool is_optimal(const RecordedRun& run);
-
-/// Has a result that a time or an objective may be compared with: optimal or acceptable. What a solve that
-/// gave up took says nothing.
-[[nodiscard]] bool is_converged(const RecordedRun& run);
-
-/// The grid of the run, of the record where the run gives only the longest side.
-[[nodiscard]] std::string grid_text(const RecordedRun& run);
-
-/// The row of the paper with that model, grid and problem, or nullptr.
-[[nodiscard]] const PublishedRow* find_row(const RecordedRun& run, const std::optional<Published>& published);
 
 inline constexpr std::string_view certified_legend =
     "gap %: f lies no further above the least that any interior of the domain has, certified\n";
 
+[[nodiscard]] inline Runs pointers(const std::vector<RecordedRun>& runs) {
+  Runs all;
+  for (const RecordedRun& run : runs) all.push_back(&run);
+  return all;
+}
+
+/// A column's cell, as a layout would show it.
+[[nodiscard]] inline Cell cell_of_column(const RecordedRun& run, std::string_view name) {
+  const Column* column = find_column(name);
+  Cell cell = cell_of(value_of(run, name), std::string(column ? column->format : ""), ", ");
+  if (column && column->text) cell.text = column->text(run);
+  return cell;
+}
+
 /// Does any of them have a certificate? Tables have a column for the gap then.
-[[nodiscard]] bool any_certified(const std::vector<RecordedRun>& runs);
-
-/// How far f may be above the least there is, per cent; "-" without a certificate.
-[[nodiscard]] Cell gap_cell(const RecordedRun& run);
-
-/// A line that says why a run has no result or, if asked, none that is optimal. Empty where all is well.
-/// @param name  what the table calls the run; empty: as run_text() does
-[[nodiscard]] std::string note_of(const RecordedRun& run, bool unless_optimal = true, std::string name = {});
-
-/// A sheet with a row a run. Its columns open with label, model and grid, and what is solved by which
-/// formulation; `more` follow. @param labels  are to be seen
-[[nodiscard]] Sheet sheet_of_runs(std::vector<Sheet::Column> more, bool labels = true);
-/// The cells with which a row of that opens.
-[[nodiscard]] std::vector<Cell> opening_cells(const RecordedRun& run);
-
-/// "paper: SOURCE; MACHINE", a line; empty without one.
-[[nodiscard]] std::string paper_text(const std::optional<Published>& published);
-
-/// The cells that most tables have, "-" without a result.
-struct SolveCells {
-  explicit SolveCells(const RecordedRun& run);
-  Cell variables = Cell::none(), iterations = Cell::none(), seconds = Cell::none(), half_iqr = Cell::none(),
-       setup = Cell::none(),  ///< seconds from the model to its columns: what comes before every solve
-      samples = Cell::none(), objective = Cell::none(), violation = Cell::none(), verified = Cell::none(),
-       device = Cell::none(), commit = Cell::none();
-};
+[[nodiscard]] inline bool any_certified(const std::vector<RecordedRun>& runs) {
+  return Condition{"gap_percent"}.any(pointers(runs));
+}
 
 /// The first item that matches, else a new one at the end.
 template <class Item, class Matches, class Make>

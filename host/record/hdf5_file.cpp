@@ -217,6 +217,17 @@ std::vector<std::string> Group::attributes() const {
   return names;
 }
 
+std::vector<std::string> Group::children() const {
+  std::vector<std::string> names;
+  const auto take = [](hid_t, const char* name, const H5L_info_t*, void* data) -> herr_t {
+    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+    return 0;
+  };
+  if (H5Literate(handle_.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, take, &names) < 0)
+    fail("", "cannot list what is in it");
+  return names;
+}
+
 std::string Group::text(const std::string& name) const {
   const Handle attribute =
       check(H5Aopen(handle_.id(), name.c_str(), H5P_DEFAULT), H5Aclose, name, "no attribute");

@@ -81,6 +81,8 @@ class Group {
   /// Whether there is a dataset or group of that name.
   [[nodiscard]] bool contains(const std::string& name) const;
   [[nodiscard]] std::vector<std::string> attributes() const;
+  /// Names of the datasets and groups in it, sorted.
+  [[nodiscard]] std::vector<std::string> children() const;
   [[nodiscard]] std::string text(const std::string& attribute) const;
   [[nodiscard]] std::int64_t integer(const std::string& attribute) const;
   [[nodiscard]] double real(const std::string& attribute) const;

@@ -1,16 +1,15 @@
-// nest_groups.hpp - layers, landscapes and shapes as groups of a nesting's record, and back.
+// nest_groups.hpp - what of a nesting grows with its shapes: landscapes, meshes.
 #pragma once
 
 #include "record/hdf5_file.hpp"
-#include "record/nest_record.hpp"
+#include "run/nest_run.hpp"
 
 namespace kreisel::core {
 
-void write_layers(hdf5::Group group, const nest::Layers& layers);
-void write_landscape(hdf5::Group group, const NestResult& result);
-void write_shapes(hdf5::Group group, const std::vector<TriangleMesh>& shapes);
+void write_landscape(hdf5::Group& group, const NestLandscape& landscape);
+/// The map, without the outlines.
+void read_landscape(const hdf5::Group& group, NestLandscape& landscape);
 
-[[nodiscard]] std::vector<LayerSummary> read_layers(const hdf5::Group& group);
-[[nodiscard]] LandscapeSummary read_landscape(const hdf5::Group& group);
+void write_shapes(hdf5::Group& group, const std::vector<TriangleMesh>& shapes);
 
 }  // namespace kreisel::core

@@ -4,9 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "file/write_text.hpp"
 #include "session/result.hpp"
@@ -27,50 +25,17 @@ void write_record(const std::filesystem::path& path, const RunResult& result);
 void write_failure(const std::filesystem::path& path, const RunConfig& config, const Provenance& provenance,
                    const std::string& message);
 
-/// What tables and `bench show` need of a record.
-struct RecordSummary {
-  std::filesystem::path path;
-  std::map<std::string, std::string> config;  ///< as describe() gives it
-  std::string error;  ///< of a failed run; then there is only what was asked for, by whom and where
-  std::string model, problem, formulation, solver, termination, message;
-  std::string scope, infeasibility;  ///< what could be asked; what cannot be met
-  std::array<int, 3> grid{};
-  std::size_t rays = 0, interior_voxels = 0, variables = 0;
-  int iterations = 0, evaluations = 0;  ///< evaluations: of f and of its second derivatives
-  double objective = 0, violation = 0;
-  std::string strict_minimum;  ///< as LocalMinimum::Answer is written; empty: not asked
-  std::optional<double> smallest_eigenvalue;
-  std::optional<double> bound, gap;  ///< where it was certified; infinite where nothing was proved
-  std::string certificate_kind;      ///< as Certificate::Kind is written; empty where it was not certified
-  int certificate_boxes = 0;         ///< solved on the way
-  double certificate_seconds = 0;    ///< apart from the solve
-  std::string domain;                ///< columns or exact
-  double whole_seconds = 0, peak_bytes = 0;  ///< 0: of an early record
-  std::size_t along_voids = 0, rounds = 0;   ///< finest cells on the voids' surface, and solves, of an octree
-  double rounded_objective = 0, rounded_violation = 0;
-  std::size_t mended_voxels = 0, moved_voxels = 0;
-  bool has_part = true;  ///< without one, `verified_text` says why, and nothing is rounded or written
-  std::size_t voids = 0, islands = 0, cuts = 0;  ///< pieces of the void, loose in it, planes that open all
-  bool verified_ok = false;
-  std::string verified_text;
-  std::map<std::string, double> verified_values;  ///< the numbers behind it
-  double voids_mm3 = 0, largest_void_mm3 = 0;
-  double length_mm = 1, mass_unit_grams = 1;  ///< one body unit in model units
-  double solid_objective = 0;
-  /// Totals in body frame and units: nothing hollowed, at the optimum, of the written file.
-  Moments solid = Moments::Zero(), optimum = Moments::Zero(), written = Moments::Zero();
-  Seconds median;
-  std::vector<Seconds> samples;
-  int repeat = 1;             ///< timed solves asked for
-  double budget_seconds = 0;  ///< after which none was begun
-  std::string commit, device, started;
-  std::optional<double> load;  ///< none: of an early record
-};
-
+/// A run as it was written, but for what grows with the resolution or the solve. Of one that failed there is
+/// only what was asked for, by whom and where.
 /// @throws InputError  not a record, or of a newer schema
-[[nodiscard]] RecordSummary read_record(const std::filesystem::path& path);
+[[nodiscard]] RunResult read_run(const std::filesystem::path& path);
 
 /// The summary with the field names of "Machine-readable output" in docs/.
 [[nodiscard]] nlohmann::json to_json(const RunResult& result);
+/// What of it there is of a run that failed.
+[[nodiscard]] nlohmann::json asked_json(const RunResult& result);
+
+/// Sets what a record says was asked for. What is registered in another program alone is taken as it is.
+void restore(RunConfig& config, const std::map<std::string, std::string>& texts);
 
 }  // namespace kreisel::core

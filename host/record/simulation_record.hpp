@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 
+#include "record/record.hpp"
 #include "run/simulation.hpp"
 
 namespace kreisel::core {
@@ -17,6 +18,10 @@ inline constexpr int simulation_schema_version = 1;
 
 /// Temporary name in the same folder, then renamed. @throws InputError  the folder cannot be written
 void write_simulation(const std::filesystem::path& path, const Simulation& simulation);
+
+/// As it was written, without the motion's track.
+/// @throws InputError  not a simulation, or of a newer schema
+[[nodiscard]] Simulation read_simulation(const std::filesystem::path& path);
 
 /// With the field names of docs/output.md.
 [[nodiscard]] nlohmann::json to_json(const Simulation& simulation);

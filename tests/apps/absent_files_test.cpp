@@ -53,7 +53,7 @@ TEST_F(BenchAbsentFiles, FindsTheFileInTheFolderThatIsNamedAndRecordsItsOwnName)
   const BenchAnswer a = run("--models elsewhere");
   ASSERT_EQ(a.code, 0) << a.out;
   ASSERT_EQ(records().size(), 1u) << a.out;
-  EXPECT_EQ(read_nest(records().front()).config.at("outer"), "scans/cube.off");
+  EXPECT_EQ(read_nest(records().front()).config.outer, "scans/cube.off");
   // The same run from another folder, and from the current one.
   std::filesystem::rename(folder_.path / "elsewhere/scans", folder_.path / "scans");
   EXPECT_NE(run().out.find("0 runs done, 1 finished before"), std::string::npos);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "apps/run_bench.hpp"
-#include "record/record.hpp"
+#include "record/records_in.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {

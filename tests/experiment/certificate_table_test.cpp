@@ -1,5 +1,3 @@
-#include "experiment/certificate_table.hpp"
-
 #include <gtest/gtest.h>
 
 #include "experiment/recorded_runs.hpp"
@@ -7,32 +5,31 @@
 namespace kreisel::core {
 namespace {
 
-RecordedRun certified_run() {
-  RecordedRun run = optimal_run();
-  RecordSummary& r = *run.record;
+RunResult certified_result() {
+  RunResult r = optimal_result();
   r.domain = "columns";
   r.rays = 650;
-  r.bound = 0.7996;
-  r.gap = 5e-4;
-  r.certificate_kind = "spin";
-  r.certificate_boxes = 7;
-  r.certificate_seconds = 0.125;
-  return run;
+  Certificate& c = r.certificate.emplace();
+  c.kind = Certificate::Kind::spin;
+  c.bound = 0.7996;
+  c.searches = 7;
+  c.seconds = 0.125;
+  return r;
 }
 
 TEST(CertificateTable, SetsTheBoundBesideTheObjective) {
-  const Tables tables = certificate_tables({certified_run()}, {});
+  const Tables tables = tables_by("certificate", {recorded(certified_result())});
   EXPECT_EQ(squeezed_line(to_text(tables), "ellipsoid"),
             "ellipsoid 40x26x26 spin rayrep columns 650 optimal | 0.500 0.8 | spin 0.7996 0.05 7 0.125");
-  EXPECT_NE(to_csv(tables).find(",spin,0.7996,0.05,7,0.125\n"), std::string::npos) << to_csv(tables);
+  EXPECT_NE(to_csv(tables).find(",spin,0.7996,0.05"), std::string::npos) << to_csv(tables);
 }
 
 TEST(CertificateTable, HasDashesForWhatWasNotCertifiedOrDidNotRun) {
-  RecordedRun plain = optimal_run(), missing = certified_run();
-  plain.record->domain = "exact";
-  plain.run.config.problem = "stand";
-  missing.record.reset();
-  const std::string text = to_text(certificate_tables({plain, missing}, {}));
+  const RecordedRun plain = changed_run([](RunResult& r) {
+    r.domain = "exact";
+    r.config.problem = "stand";
+  });
+  const std::string text = to_text(tables_by("certificate", {plain, missing_run(certified_result())}));
   EXPECT_EQ(squeezed_line(text, "ellipsoid  40x26x26  stand"),
             "ellipsoid 40x26x26 stand rayrep exact 0 optimal | 0.500 0.8 | - - - - -")
       << text;

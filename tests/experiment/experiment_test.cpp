@@ -281,7 +281,7 @@ TEST(Experiments, AreReadAndNameTablesFiguresAndPublishedNumbersThatThereAre) {
     if (entry.path().extension() != ".toml") continue;
     SCOPED_TRACE(entry.path().string());
     const auto experiment = read_experiment(entry.path());
-    EXPECT_NO_THROW((void)find_table_kind(experiment.table));
+    EXPECT_NO_THROW((void)kind_set_out_by(experiment.table));
     for (const auto& figure : experiment.figures)
       EXPECT_TRUE(std::filesystem::exists(data_folder() / "plots" / (figure + ".py"))) << figure;
     if (!experiment.published.empty()) {
@@ -296,10 +296,10 @@ TEST(RayrepTable1, RunsThePapersFiveBodiesUnderThreeLabels) {
   const auto experiment = read_experiment(data_folder() / "experiments" / "rayrep_table1.toml");
   const auto printed = read_published(published_file("rayrep_table1"));
   std::map<std::string, int> count;
-  for (const auto& [config, nest, label, mesh] : experiment.runs) {
-    ++count[label];
-    EXPECT_NE(printed.find(config.body.model, config.grid.cells, config.problem), nullptr)
-        << config.body.model;
+  for (const ExperimentRun& run : experiment.runs) {
+    const RunConfig& config = run.config;
+    ++count[run.label];
+    EXPECT_NE(printed.find(RecordedRun{run}), nullptr) << config.body.model;
     EXPECT_EQ(config.formulation, "rayrep");
     EXPECT_EQ(to_string(config.wall), "1.5h");
   }
@@ -359,7 +359,7 @@ TEST(IpoptUntouched, SolvesTheSameGridsWithNothingOfOursWithinLimits) {
   for (const ExperimentRun& run : experiment.runs) {
     const RunConfig& config = run.config;
     rows[config.formulation + ' ' + config.settings.at("ipopt.hessian_approximation")].insert(
-        printed.find(config.body.model, config.grid.cells, config.problem));
+        printed.find(RecordedRun{run}));
     EXPECT_EQ(settings_of(config, "ipopt").size(), 1u) << "the Hessian alone";
     EXPECT_EQ(config.settings.at("solver.defaults"), "ipopt");
     EXPECT_EQ(config.settings.at("solver.curvature"), "full");

@@ -14,16 +14,17 @@ namespace {
 /// A box of 2 x 4 x 6 body lengths about a centre off the origin, of mass 48 body masses.
 Moments box() { return box_moments({1, 2, 3}, {2, 4, 6}); }
 
-RecordedRun box_run(const Moments& optimum) {
-  RecordedRun run = optimal_run();
-  RecordSummary& r = *run.record;
-  r.length_mm = 10;  // 1 cm, so that M L^2 is mass_unit g cm^2
+RunResult box_result(const Moments& optimum) {
+  RunResult r = optimal_result();
+  r.frame.length = r.length_mm = 10;  // 1 cm, so that M L^2 is mass_unit g cm^2
   r.mass_unit_grams = 3;
   r.solid = box();
-  r.optimum = optimum;
-  r.verified_text = "spins";
-  return run;
+  r.outcome.moments = optimum;
+  r.verified.verdict.text = "spins";
+  return r;
 }
+
+RecordedRun box_run(const Moments& optimum) { return recorded(box_result(optimum)); }
 
 TEST(InertiaTable, GivesABoxItsInertiaInGramsAndCentimetres) {
   const Tables tables = inertia_tables({box_run(box())}, {});
@@ -51,8 +52,9 @@ TEST(InertiaTable, SeesATiltAndWhichMomentIsTheLargest) {
 }
 
 TEST(InertiaTable, PutsThePapersBirdBesideOursAsPrintedAndRelativeToItsOwnIzz) {
-  RecordedRun run = box_run(box());
-  run.run.config.body.model = "bird";
+  RunResult result = box_result(box());
+  result.config.body.model = "bird";
+  const RecordedRun run = recorded(result);
   const auto printed = read_published(published_file("rayrep_bird"));
   const std::string text = inertia_tables({run}, printed).blocks[0].sheet.text();
   EXPECT_TRUE(
@@ -68,10 +70,9 @@ TEST(InertiaTable, PutsThePapersBirdBesideOursAsPrintedAndRelativeToItsOwnIzz) {
 }
 
 TEST(InertiaTable, ShowsThePaperAloneBeforeTheRun) {
-  RecordedRun run = optimal_run();
-  run.run.config.body.model = "bird";
-  run.record.reset();
-  const Tables tables = inertia_tables({run}, read_published(published_file("rayrep_bird")));
+  RunResult result = optimal_result();
+  result.config.body.model = "bird";
+  const Tables tables = inertia_tables({missing_run(result)}, read_published(published_file("rayrep_bird")));
   EXPECT_EQ(tables.blocks[0].sheet.rows().size(), 2u);
   EXPECT_EQ(tables.blocks[0].notes, "not run\n");
 }

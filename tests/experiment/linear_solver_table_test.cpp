@@ -1,5 +1,3 @@
-#include "experiment/linear_solver_table.hpp"
-
 #include <gtest/gtest.h>
 
 #include "experiment/recorded_runs.hpp"
@@ -7,18 +5,18 @@
 namespace kreisel::core {
 namespace {
 
-RecordedRun run_by(const std::string& linear_solver, double seconds, double objective) {
-  RecordedRun run = optimal_run({{"ipopt.linear_solver", linear_solver}});
-  run.run.label = "exact";
-  run.record->median.solve = seconds;
-  run.record->samples = {run.record->median};
-  run.record->objective = objective;
-  return run;
+RunResult result_by(const std::string& linear_solver, double seconds, double objective) {
+  RunResult r = optimal_result();
+  if (!linear_solver.empty()) r.config.settings = {{"ipopt.linear_solver", linear_solver}};
+  r.median.solve = seconds;
+  r.samples = {r.median};
+  r.outcome.objective = objective;
+  return r;
 }
 
 TEST(LinearSolverTable, SetsBothBesideEachOther) {
-  const Tables tables =
-      linear_solver_tables({run_by("mumps", 0.6, 0.8), run_by("arrow", 0.04, 0.8000008)}, {});
+  const Tables tables = tables_by("linear-solvers", {recorded(result_by("mumps", 0.6, 0.8), "exact"),
+                                                     recorded(result_by("arrow", 0.04, 0.8000008), "exact")});
   ASSERT_EQ(tables.blocks.size(), 1u);
   // 20 iterations: 30 and 2 ms each; 15 times faster; 1e-6 of the objective apart.
   EXPECT_EQ(squeezed_line(tables.blocks[0].sheet.text(), "exact"),
@@ -26,19 +24,18 @@ TEST(LinearSolverTable, SetsBothBesideEachOther) {
 }
 
 TEST(LinearSolverTable, ComparesConvergedSolvesAlone) {
-  RecordedRun failed = run_by("mumps", 10, 0.9);
-  failed.record->termination = "failed";
-  failed.record->message = "maximum CPU time exceeded";
-  const Tables tables = linear_solver_tables({failed, run_by("arrow", 0.04, 0.8)}, {});
+  RunResult failed = result_by("mumps", 10, 0.9);
+  failed.outcome.termination = Termination::failed;
+  failed.outcome.message = "maximum CPU time exceeded";
+  const Tables tables = tables_by(
+      "linear-solvers", {recorded(failed, "exact"), recorded(result_by("arrow", 0.04, 0.8), "exact")});
   EXPECT_EQ(squeezed_line(tables.blocks[0].sheet.text(), "exact"),
             "exact ellipsoid 40x26x26 rayrep 1300 | 10.00 ! 20 500.00 | 0.040 20 2.00 | - | -");
   EXPECT_NE(to_text(tables).find("maximum CPU time exceeded"), std::string::npos);
 }
 
 TEST(LinearSolverTable, TakesARunWithoutTheOption) {
-  RecordedRun own = run_by("", 0.04, 0.8);
-  own.run.config.settings.clear();
-  const Tables tables = linear_solver_tables({own}, {});
+  const Tables tables = tables_by("linear-solvers", {recorded(result_by("", 0.04, 0.8), "exact")});
   EXPECT_EQ(squeezed_line(tables.blocks[0].sheet.text(), "exact"),
             "exact ellipsoid 40x26x26 rayrep 1300 | - - - | 0.040 20 2.00 | - | -");
 }

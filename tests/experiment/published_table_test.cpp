@@ -1,5 +1,3 @@
-#include "experiment/published_table.hpp"
-
 #include <gtest/gtest.h>
 
 #include "experiment/recorded_runs.hpp"
@@ -8,33 +6,34 @@ namespace kreisel::core {
 namespace {
 
 Published printed() {
-  Published p{"a paper", "a machine", {}};
-  PublishedRow row;
-  row.model = "ellipsoid";
-  row.grid = {40, 26, 26};
-  row.problem = "spin";
-  row.rayrep = PublishedRow::Side{1000, 2.0};
-  p.rows.push_back(row);
-  return p;
+  return {"a paper",
+          "a machine",
+          {{{"model", "ellipsoid"},
+            {"grid", {40, 26, 26}},
+            {"problem", "spin"},
+            {"rayrep", {{"variables", 1000}, {"seconds", 2.0}}}}}};
 }
 
 TEST(Published, FindsARowByModelGridAndProblem) {
   Published p = printed();
-  using Grid = std::array<int, 3>;
-  EXPECT_EQ(p.find("ellipsoid", Grid{40, 26, 26}, "spin"), p.rows.data());
-  EXPECT_EQ(p.find("ellipsoid", Grid{40, 26, 26}), p.rows.data()) << "any problem";
-  EXPECT_EQ(p.find("ellipsoid", Grid{40, 26, 26}, "float"), nullptr);
-  EXPECT_EQ(p.find("ellipsoid", Grid{40, 26, 27}, "spin"), nullptr);
-  EXPECT_EQ(p.find("ellipsoid", {}, "spin"), nullptr);
-  EXPECT_EQ(p.find("bird", Grid{40, 26, 26}, "spin"), nullptr);
-  p.rows[0].grid.reset();
-  p.rows[0].problem.clear();
-  EXPECT_EQ(p.find("ellipsoid", Grid{1, 2, 3}, "float"), p.rows.data()) << "a row without either fits all";
-  EXPECT_EQ(p.find("ellipsoid", {}), p.rows.data());
+  const auto fits = [&](const char* model, std::array<int, 3> grid, const char* problem) {
+    return p.find(changed_run([&](RunResult& r) {
+      r.config.body.model = model;
+      r.config.grid.cells = r.grid.n = grid;
+      r.config.problem = problem;
+    })) == &p.rows[0];
+  };
+  EXPECT_TRUE(fits("ellipsoid", {40, 26, 26}, "spin"));
+  EXPECT_FALSE(fits("ellipsoid", {40, 26, 26}, "float"));
+  EXPECT_FALSE(fits("ellipsoid", {40, 26, 27}, "spin"));
+  EXPECT_FALSE(fits("bird", {40, 26, 26}, "spin"));
+  p.rows[0].erase("grid");
+  p.rows[0].erase("problem");
+  EXPECT_TRUE(fits("ellipsoid", {1, 2, 3}, "float")) << "a row without either fits all";
 }
 
 TEST(PublishedTable, SetsARunBesideThePapersRow) {
-  const std::string text = to_text(published_tables({optimal_run()}, printed()));
+  const std::string text = to_text(tables_by("published", {recorded(optimal_result())}, printed()));
   // 1300 variables are 30 % above 1000; 2 s are four times 0.5 s.
   EXPECT_EQ(squeezed_line(text, "ellipsoid"),
             "ellipsoid 40x26x26 spin | 1300 0.500 20 0.8 1.0e-10 yes | 1000 2 | +30.0 4.00");
@@ -42,10 +41,10 @@ TEST(PublishedTable, SetsARunBesideThePapersRow) {
 }
 
 TEST(PublishedTable, LeavesThePaperEmptyWhereItHasNoSuchRow) {
-  RecordedRun other_problem = optimal_run(), other_way = optimal_run();
-  other_problem.run.config.problem = "float";
-  other_way.run.config.formulation = "voxel";  // the row has ray-reps alone
-  const Tables tables = published_tables({other_problem, other_way}, printed());
+  const RecordedRun other_problem = changed_run([](RunResult&r) { r.config.problem = "float"; }),
+                    // the row has ray-reps alone
+      other_way = changed_run([](RunResult&r) { r.config.formulation = "voxel"; });
+  const Tables tables = tables_by("published", {other_problem, other_way}, printed());
   const std::string text = to_text(tables);
   EXPECT_EQ(squeezed_line(text, "ellipsoid  40x26x26  float"),
             "ellipsoid 40x26x26 float | 1300 0.500 20 0.8 1.0e-10 yes | - - | - -");
@@ -55,13 +54,14 @@ TEST(PublishedTable, LeavesThePaperEmptyWhereItHasNoSuchRow) {
 }
 
 TEST(PublishedTable, HasABlockALabelAndGivesNoSpeedForWhatDidNotConverge) {
-  RecordedRun best = optimal_run(), paper = optimal_run(), missing = optimal_run();
-  best.run.label = "best";
-  paper.run.label = missing.run.label = "paper";
-  paper.record->termination = "failed";
-  paper.record->message = "too slow";
-  missing.record.reset();
-  const Tables tables = published_tables({paper, best, missing}, printed());
+  const auto fail = [](RunResult& r) {
+    r.outcome.termination = Termination::failed;
+    r.outcome.message = "too slow";
+  };
+  const Tables tables = tables_by("published",
+                                  {changed_run(fail, "paper"), recorded(optimal_result(), "best"),
+                                   missing_run(optimal_result(), "paper")},
+                                  printed());
   ASSERT_EQ(tables.blocks.size(), 2u);
   EXPECT_EQ(tables.blocks[0].heading, "paper");
   EXPECT_EQ(tables.blocks[0].sheet.rows().size(), 2u);

@@ -14,6 +14,7 @@
 #include "experiment/table.hpp"
 #include "record/map_record.hpp"
 #include "record/record.hpp"
+#include "record/records_in.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
@@ -90,7 +91,7 @@ TEST_F(Runner, RecordsEveryRunUnderItsNameInTheFolderOfTheExperiment) {
   EXPECT_FALSE(counts.interrupted);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(record(i), folder.path / "runs" / "trial" / (run_name(experiment.runs[i].config) + ".h5"));
-    EXPECT_EQ(read_record(record(i)).objective, 0.75);
+    EXPECT_EQ(read_run(record(i)).outcome.objective, 0.75);
   }
   EXPECT_EQ(logged(), "");  // not a terminal
 }
@@ -252,13 +253,14 @@ TEST_F(Runner, RecordsMapsSkipsThemAndSetsThemOutInATable) {
   EXPECT_EQ(counts.done, 1);
   EXPECT_EQ(counts.failed, 1);
   EXPECT_TRUE(ran.empty());
-  EXPECT_TRUE(is_map(record(0)));
-  const MapSummary map = read_map(record(0));
-  EXPECT_EQ(map.axes, 2u);
-  EXPECT_EQ(map.cases.at(0).feasible, 0.5);
-  EXPECT_EQ(map.best.value().axis, Vec3::UnitX());
-  EXPECT_EQ(map.best.value().values.at("omega_min_rpm"), 400);
-  EXPECT_TRUE(std::isnan(map.best.value().values.at("metacentric_height_mm")));
+  EXPECT_EQ(kind_of_record(record(0)), RecordKind::map);
+  const OrientationMap map = read_map(record(0));
+  EXPECT_EQ(map.axes.size(), 2u);
+  EXPECT_EQ(map.count(0, MapAnswer::feasible), 1u);
+  const auto best = map.best();
+  ASSERT_TRUE(best);
+  EXPECT_EQ(map.axes.at(best->axis), Vec3::UnitX());
+  EXPECT_EQ(map.at(best->axis, 0).verdict.values.at("omega_min_rpm"), 400);
 
   const std::string text = table_text(experiment, collect(experiment, options.results));
   EXPECT_EQ(squeezed_line(text, "ellipsoid  spin     lowest"),

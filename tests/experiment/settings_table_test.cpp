@@ -7,13 +7,17 @@
 namespace kreisel::core {
 namespace {
 
+RunResult with(const std::string& start, double seconds, double objective) {
+  RunResult r = optimal_result({{"ipopt.max_iter", "300"}});
+  if (!start.empty()) r.config.settings["solver.start"] = start;
+  r.median.solve = seconds;
+  r.samples = {r.median};
+  r.outcome.objective = objective;
+  return r;
+}
+
 RecordedRun run_with(const std::string& start, double seconds, double objective) {
-  RecordedRun run = optimal_run({{"ipopt.max_iter", "300"}});
-  if (!start.empty()) run.run.config.settings["solver.start"] = start;
-  run.record->median.solve = seconds;
-  run.record->samples = {run.record->median};
-  run.record->objective = objective;
-  return run;
+  return recorded(with(start, seconds, objective));
 }
 
 TEST(SettingsTable, NamesRowsByWhatDiffersAndComparesThemWithFirstAndBest) {
@@ -35,11 +39,11 @@ TEST(SettingsTable, NamesRowsByWhatDiffersAndComparesThemWithFirstAndBest) {
 }
 
 TEST(SettingsTable, CountsOnlyConvergedSolvesAsBestOrFast) {
-  RecordedRun failed = run_with("lower", 0.1, 0.1), missing = run_with("upper", 0, 0);
-  failed.record->termination = "failed";
-  failed.record->message = "maximum number of iterations exceeded";
-  missing.record.reset();
-  const Tables tables = settings_tables({run_with("", 2, 0.88), failed, missing}, {});
+  RunResult failed = with("lower", 0.1, 0.1);
+  failed.outcome.termination = Termination::failed;
+  failed.outcome.message = "maximum number of iterations exceeded";
+  const Tables tables =
+      settings_tables({run_with("", 2, 0.88), recorded(failed), missing_run(with("upper", 0, 0))}, {});
   const std::string text = to_text(tables);
   EXPECT_EQ(squeezed_line(text, "defaults"), "defaults optimal 20 2.00 1.00 1300 0.88 0.000 1.0e-10 yes");
   EXPECT_EQ(squeezed_line(text, "start=lower"), "start=lower failed 20 0.100 - 1300 0.1 - 1.0e-10 yes");
@@ -52,12 +56,13 @@ TEST(SettingsTable, HasABlockForEachBodyAndFormulationAndSaysAFactorOnce) {
   std::vector<RecordedRun> runs;
   for (const char* formulation : {"rayrep", "voxel"})
     for (const char* start : {"", "lower", "upper"}) {
-      runs.push_back(run_with(start, 1, 1));
-      runs.back().run.config.formulation = formulation;
-      runs.back().run.label = *start ? "start" : "defaults";
+      RunResult r = with(start, 1, 1);
+      r.config.formulation = formulation;
+      runs.push_back(recorded(r, *start ? "start" : "defaults"));
     }
-  runs.push_back(run_with("", 1, 1));
-  runs.back().run.config.grid.cells = {54, 35, 34};
+  RunResult finer = with("", 1, 1);
+  finer.config.grid.cells = finer.grid.n = {54, 35, 34};
+  runs.push_back(recorded(finer));
   const Tables tables = settings_tables(runs, {});
   ASSERT_EQ(tables.blocks.size(), 3u);
   EXPECT_TRUE(tables.blocks[1].heading.starts_with("ellipsoid 40x26x26, spin, voxel;"))
@@ -69,12 +74,12 @@ TEST(SettingsTable, HasABlockForEachBodyAndFormulationAndSaysAFactorOnce) {
 }
 
 TEST(FormulationsTable, ComparesFormulationsOfOneBodyAndDomain) {
-  RecordedRun quadric = run_with("", 0.5, 0.8), rays = run_with("", 2, 0.88), exact = run_with("", 1, 0.7);
-  for (RecordedRun* run : {&quadric, &exact}) run->run.config.formulation = "quadric";
-  quadric.run.config.domain = "columns";
-  quadric.record->gap = 1e-3;
-  rays.run.config.settings["formulation.bounds"] = "midpoint";
-  const Tables tables = formulations_tables({quadric, rays, exact}, {});
+  RunResult quadric = with("", 0.5, 0.8), rays = with("", 2, 0.88), exact = with("", 1, 0.7);
+  for (RunResult* r : {&quadric, &exact}) r->config.formulation = "quadric";
+  quadric.config.domain = "columns";
+  quadric.certificate.emplace().bound = 0.8 * (1 - 1e-3);
+  rays.config.settings["formulation.bounds"] = "midpoint";
+  const Tables tables = formulations_tables({recorded(quadric), recorded(rays), recorded(exact)}, {});
   ASSERT_EQ(tables.blocks.size(), 2u) << "what is exact is not compared with columns";
   EXPECT_TRUE(tables.blocks[0].heading.starts_with("ellipsoid 40x26x26, spin, domain columns; in all: "))
       << tables.blocks[0].heading;

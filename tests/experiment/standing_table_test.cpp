@@ -1,33 +1,30 @@
-#include "experiment/standing_table.hpp"
-
 #include <gtest/gtest.h>
 
 #include "experiment/data_folder.hpp"
 #include "experiment/recorded_runs.hpp"
-#include "experiment/voids_table.hpp"
 
 namespace kreisel::core {
 namespace {
 
-RecordedRun dinosaur(const std::string& label) {
-  RecordedRun run = optimal_run();
-  run.run.label = label;
-  run.run.config.body.model = "dino";
-  run.run.config.problem = "stand";
-  run.run.config.formulation = "voxel";
-  return run;
+RunResult dinosaur() {
+  RunResult r = optimal_result();
+  r.config.body.model = "dino";
+  r.config.problem = "stand";
+  r.config.formulation = "voxel";
+  return r;
 }
 
 TEST(StandingTable, GivesHeightAndTiltBesideThePapers) {
-  RecordedRun swept = dinosaur("plane sweep"), none = dinosaur("optimum");
-  swept.run.config.solver = "plane-sweep";
-  swept.run.config.settings = {{"problem.target", "inside"}, {"problem.margin", "0"}};
-  swept.record->verified_values = {
+  RunResult swept = dinosaur();
+  swept.config.solver = "plane-sweep";
+  swept.config.settings = {{"problem.target", "inside"}, {"problem.margin", "0"}};
+  swept.verified.verdict.values = {
       {"height_share", 0.5125}, {"off_centroid_mm", 0.25}, {"inside_mm", 0.75}, {"tilt_degrees", 3.5}};
-  swept.record->written[S1] = 0.5;
-  swept.record->mass_unit_grams = 40;
-  none.record.reset();
-  const Tables tables = standing_tables({swept, none}, read_published(published_file("spinit_standing")));
+  swept.verified.moments[S1] = 0.5;
+  swept.mass_unit_grams = 40;
+  const Tables tables =
+      tables_by("standing", {recorded(swept, "plane sweep"), missing_run(dinosaur(), "optimum")},
+                read_published(published_file("spinit_standing")));
   ASSERT_EQ(tables.blocks.size(), 1u);
   EXPECT_EQ(tables.blocks[0].heading, "dino 40x26x26");
   const std::string text = tables.blocks[0].sheet.text();
@@ -40,17 +37,14 @@ TEST(StandingTable, GivesHeightAndTiltBesideThePapers) {
 }
 
 TEST(VoidsTable, CountsVoidsAndCutsBesideThePapersOfThatModelAndLabel) {
-  RecordedRun run = dinosaur("hand");
-  run.run.config.body.model = "armadillo";
-  run.run.config.problem = "top";
-  run.record->voids = 3;
-  run.record->islands = 1;
-  run.record->cuts = 2;
-  run.record->voids_mm3 = 2000;
-  run.record->largest_void_mm3 = 1500;
-  RecordedRun other = run;
-  other.run.label = "shell";
-  const Tables tables = voids_tables({run, other}, read_published(published_file("spinit_voids")));
+  RunResult r = dinosaur();
+  r.config.body.model = "armadillo";
+  r.config.problem = "top";
+  r.voids.pieces = {1500, 400, 100};
+  r.voids.islands = {3};
+  r.voids.cuts.resize(2);
+  const Tables tables = tables_by("voids", {recorded(r, "hand"), recorded(r, "shell")},
+                                  read_published(published_file("spinit_voids")));
   const std::string text = tables.blocks[0].sheet.text();
   EXPECT_TRUE(squeezed_line(text, "hand").ends_with("| 2000 75.00 1 3 2 | 1 3")) << text;
   EXPECT_TRUE(squeezed_line(text, "shell").ends_with("| 2000 75.00 1 3 2 | 5 2")) << text;
@@ -58,16 +52,16 @@ TEST(VoidsTable, CountsVoidsAndCutsBesideThePapersOfThatModelAndLabel) {
 
 TEST(VoidsTable, ShowsAPublishedRowThatNoRunIsOfWithThePapersFiguresAlone) {
   const Published paper = read_published(published_file("spinit_voids"));
-  RecordedRun stands = dinosaur("");
-  const Tables tables = voids_tables({stands}, paper);
+  RunResult stands = dinosaur();
+  const Tables tables = tables_by("voids", {recorded(stands)}, paper);
   const std::string text = tables.blocks[0].sheet.text();
   EXPECT_EQ(tables.blocks[0].sheet.rows().size(), paper.rows.size()) << text;
   EXPECT_EQ(squeezed_line(text, "-      dancing-couple"),
             "- dancing-couple - top - no run - - | - - - - - | 1 5")
       << text;
   EXPECT_TRUE(squeezed_line(text, "-      dino").ends_with("| 1 1")) << text;
-  stands.run.config.problem = "spin";
-  const std::string spins = voids_tables({stands}, paper).blocks[0].sheet.text();
+  stands.config.problem = "spin";
+  const std::string spins = tables_by("voids", {recorded(stands)}, paper).blocks[0].sheet.text();
   EXPECT_TRUE(squeezed_line(spins, "-      dino").ends_with("| - -")) << "the paper's stands\n" << spins;
 }
 

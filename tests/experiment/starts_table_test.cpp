@@ -8,28 +8,30 @@
 namespace kreisel::core {
 namespace {
 
-RecordedRun start(const std::string& label, const std::string& seed, double objective, int evaluations) {
-  RecordedRun run = optimal_run({{"moment.seed", seed}});
-  run.run.label = label;
-  run.run.config.body.model = "heart";
-  run.run.config.problem = "top";
-  run.run.config.formulation = "quadric";
-  RecordSummary& r = *run.record;
-  r.objective = objective;
-  r.evaluations = evaluations;
-  r.iterations = evaluations / 2;
+RunResult start(const std::string& seed, double objective, int evaluations) {
+  RunResult r = optimal_result({{"moment.seed", seed}});
+  r.config.body.model = "heart";
+  r.config.problem = "top";
+  r.config.formulation = "quadric";
+  r.outcome.objective = objective;
+  r.outcome.evaluations.objective = evaluations;
+  r.outcome.iterations = evaluations / 2;
   r.median.solve = 1e-3 * evaluations;
-  r.strict_minimum = "yes";
-  r.smallest_eigenvalue = 2 - objective;
-  return run;
+  LocalMinimum& minimum = r.outcome.local_minimum.emplace();
+  minimum.strict = LocalMinimum::Answer::yes;
+  minimum.smallest = 2 - objective;
+  return r;
 }
 
 TEST(StartsTable, CountsTheStartsThatEndAtTheLowestObjectiveOfTheirTask) {
-  RecordedRun failed = start("heart top", "4", 0.4, 90), alone = start("other", "1", 0.5, 7);
-  failed.record->termination = "failed";  // lower, but it did not converge
-  failed.record->message = "no further progress";
-  const std::vector<RecordedRun> runs = {start("heart top", "1", 0.75, 20), start("heart top", "2", 1, 60),
-                                         start("heart top", "3", 0.75 * (1 + 9e-7), 30), failed, alone};
+  RunResult failed = start("4", 0.4, 90);
+  failed.outcome.termination = Termination::failed;  // lower, but it did not converge
+  failed.outcome.message = "no further progress";
+  const std::string task = "heart top";
+  const std::vector<RecordedRun> runs = {recorded(start("1", 0.75, 20), task),
+                                         recorded(start("2", 1, 60), task),
+                                         recorded(start("3", 0.75 * (1 + 9e-7), 30), task),
+                                         recorded(failed, task), recorded(start("1", 0.5, 7), "other")};
   const Tables tables = starts_tables(runs, read_published(published_file("quadric_2024")));
   ASSERT_EQ(tables.blocks.size(), 1u);
   const std::string text = tables.blocks[0].sheet.text();
@@ -48,10 +50,12 @@ TEST(StartsTable, CountsTheStartsThatEndAtTheLowestObjectiveOfTheirTask) {
 }
 
 TEST(StartsTable, SaysNothingOfATaskWithoutAResult) {
-  RecordedRun none = start("heart top", "1", 1, 1), failed = start("heart top", "2", 1, 1);
-  none.record.reset();
-  failed.record->termination = "failed";
-  const std::string text = starts_tables({none, failed}, std::nullopt).blocks[0].sheet.text();
+  RunResult failed = start("2", 1, 1);
+  failed.outcome.termination = Termination::failed;
+  const std::string text =
+      starts_tables({missing_run(start("1", 1, 1), "heart top"), recorded(failed, "heart top")}, std::nullopt)
+          .blocks[0]
+          .sheet.text();
   EXPECT_EQ(squeezed_line(text, "heart top"), "heart top heart 40x26x26 1 0 - | - - - | - - - - | -") << text;
 }
 

@@ -9,12 +9,11 @@
 #include "error.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/published.hpp"
-#include "experiment/published_table.hpp"
 #include "experiment/recorded_runs.hpp"
 #include "experiment/runner.hpp"
-#include "experiment/speedup_table.hpp"
 #include "experiment/table_parts.hpp"
 #include "experiment/text_table.hpp"
+#include "statistics.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
@@ -41,7 +40,7 @@ const std::vector<Literal> table2 = {
 };
 
 std::string speedup_text(const std::vector<RecordedRun>& runs, const std::optional<Published>& published) {
-  return to_text(speedup_tables(runs, published));
+  return to_text(tables_by("speedup", runs, published));
 }
 
 Published published() { return read_published(published_file("rayrep_table2")); }
@@ -50,13 +49,14 @@ TEST(Published, HoldsTheNumbersOfTable2) {
   const Published p = published();
   ASSERT_EQ(p.rows.size(), table2.size());
   for (std::size_t i = 0; i < table2.size(); ++i) {
-    EXPECT_EQ(p.rows[i].model, table2[i].model);
-    EXPECT_EQ(p.rows[i].grid, table2[i].grid);
-    EXPECT_EQ(p.rows[i].rayrep.value().variables, table2[i].ray_variables);
-    EXPECT_EQ(p.rows[i].rayrep.value().seconds, table2[i].ray_seconds);
-    EXPECT_EQ(p.rows[i].voxel.value().variables, table2[i].voxel_variables);
-    EXPECT_EQ(p.rows[i].voxel.value().seconds, table2[i].voxel_seconds);
-    EXPECT_EQ(p.rows[i].speedup.value(), table2[i].speedup);
+    const nlohmann::json& row = p.rows[i];
+    EXPECT_EQ(row.at("model"), table2[i].model);
+    EXPECT_EQ(row.at("grid"), table2[i].grid);
+    EXPECT_EQ(row.at("rayrep").at("variables"), table2[i].ray_variables);
+    EXPECT_EQ(row.at("rayrep").at("seconds"), table2[i].ray_seconds);
+    EXPECT_EQ(row.at("voxel").at("variables"), table2[i].voxel_variables);
+    EXPECT_EQ(row.at("voxel").at("seconds"), table2[i].voxel_seconds);
+    EXPECT_EQ(row.at("speedup"), table2[i].speedup);
     // The printed speed-up is that of the printed times, up to their last digit.
     const double t = table2[i].ray_seconds, s = table2[i].voxel_seconds;
     EXPECT_GE(table2[i].speedup, (s - 0.005) / (t + 0.005) - 0.005);
@@ -68,11 +68,12 @@ TEST(Published, HoldsTheNumbersOfTable1) {
   const Published p = read_published(published_file("rayrep_table1"));
   ASSERT_EQ(p.rows.size(), 5u);
   const auto check = [&](const std::string& model, std::array<int, 3> grid, int variables, double seconds) {
-    const PublishedRow* row = p.find(model, grid);
-    ASSERT_NE(row, nullptr) << model;
-    EXPECT_EQ(row->rayrep.value().variables, variables);
-    EXPECT_EQ(row->rayrep.value().seconds, seconds);
-    EXPECT_FALSE(row->voxel || row->speedup);
+    const auto row = std::ranges::find_if(
+        p.rows, [&](const nlohmann::json& r) { return r.at("model") == model && r.at("grid") == grid; });
+    ASSERT_NE(row, p.rows.end()) << model;
+    EXPECT_EQ(row->at("rayrep").at("variables"), variables);
+    EXPECT_EQ(row->at("rayrep").at("seconds"), seconds);
+    EXPECT_FALSE(row->contains("voxel") || row->contains("speedup"));
   };
   check("spheres", {51, 101, 101}, 4236, 0.499);
   check("kitten", {101, 92, 154}, 8176, 0.919);
@@ -111,39 +112,42 @@ TEST(TextTable, QuotesCsvWhereItMust) {
 }
 
 TEST(TableParts, HalfTheInterquartileRangeIsInterpolated) {
-  EXPECT_EQ(half_interquartile_range({}), 0);
-  EXPECT_EQ(half_interquartile_range({{0, 0, 5, 0}}), 0);
-  EXPECT_EQ(half_interquartile_range({{0, 0, 1, 0}, {0, 0, 2, 0}}), 0.25);
-  EXPECT_EQ(half_interquartile_range({{0, 0, 9, 0}, {0, 0, 1, 0}, {0, 0, 3, 0}, {0, 0, 2, 0}, {0, 0, 4, 0}}),
-            1);
+  EXPECT_EQ(half_interquartile_range({5}), 0);
+  EXPECT_EQ(half_interquartile_range({1, 2}), 0.25);
+  EXPECT_EQ(half_interquartile_range({9, 1, 3, 2, 4}), 1);
 }
 
-/// A run of table 2 with a record like the paper's own, objective 0.5.
-RecordedRun made_by_hand(const Literal& row, bool rays, const std::string& label = "paper") {
-  RecordedRun run;
-  run.run.label = label;
-  run.run.config.body.model = row.model;
-  run.run.config.grid.cells = row.grid;
-  run.run.config.formulation = rays ? "rayrep" : "voxel";
-  run.run.config.settings = {{"ipopt.tol", rays ? "1e-8" : "1e-7"}};
-  RecordSummary& r = run.record.emplace();
-  r.grid = row.grid;
-  r.termination = "optimal";
+/// A result like the paper's own, objective 0.5.
+RunResult made_by_hand(const Literal& row, bool rays) {
+  RunResult r;
+  r.config.body.model = r.body_name = row.model;
+  r.config.grid.cells = r.grid.n = row.grid;
+  r.config.formulation = rays ? "rayrep" : "voxel";
+  r.config.settings = {{"ipopt.tol", rays ? "1e-8" : "1e-7"}};
+  r.outcome.termination = Termination::optimal;
   r.variables = static_cast<std::size_t>(rays ? row.ray_variables : row.voxel_variables);
   const double seconds = rays ? row.ray_seconds : row.voxel_seconds;
   r.median = {0, 0, seconds, seconds};
   r.samples.assign(5, r.median);
-  r.iterations = 20;
-  r.objective = 0.5;
-  r.device = "a device";
-  r.commit = "abc1234";
-  return run;
+  r.outcome.iterations = 20;
+  r.outcome.objective = 0.5;
+  r.provenance.device = "a device";
+  r.provenance.commit = "abc1234";
+  r.provenance.load = std::numeric_limits<double>::quiet_NaN();
+  return r;
 }
 
-std::vector<RecordedRun> whole_table() {
-  std::vector<RecordedRun> runs;
+std::vector<RunResult> whole_table(std::size_t most = 2 * table2.size()) {
+  std::vector<RunResult> results;
   for (const Literal& row : table2)
-    for (const bool rays : {true, false}) runs.push_back(made_by_hand(row, rays));
+    for (const bool rays : {true, false}) results.push_back(made_by_hand(row, rays));
+  results.resize(std::min(most, results.size()));
+  return results;
+}
+
+std::vector<RecordedRun> on_record(const std::vector<RunResult>& results) {
+  std::vector<RecordedRun> runs;
+  for (const RunResult& r : results) runs.push_back(recorded(r, "paper"));
   return runs;
 }
 
@@ -167,7 +171,7 @@ std::string line_with(const std::string& text, const std::string& beginning) {
 }
 
 TEST(SpeedupTable, SetsThePapersOwnNumbersBesideThemselves) {
-  const std::string text = speedup_text(whole_table(), published());
+  const std::string text = speedup_text(on_record(whole_table()), published());
   EXPECT_EQ(
       line_with(text, "ellipsoid 80x52x51"),
       "ellipsoid 80x52x51 | 5882 1.79 ± 0.00 20 0.5 | 94975 34.74 ± 0.00 20 0.5 | +0.000 | 19.41 19.41 1.00 "
@@ -185,81 +189,76 @@ TEST(SpeedupTable, SetsThePapersOwnNumbersBesideThemselves) {
 
 TEST(SpeedupTable, Fits150ColumnsWithRoomForSlowMachines) {
   auto runs = whole_table();
-  for (auto& run : runs) {
-    run.record->median.solve = 1234.56;
-    run.record->samples = {{0, 0, 1000, 0}, {0, 0, 1234.56, 0}, {0, 0, 1500, 0}};
-    run.record->iterations = 3000;
-    run.record->objective = 0.123456;
-    run.record->termination = "acceptable";
+  for (RunResult& r : runs) {
+    r.median.solve = 1234.56;
+    r.samples = {{0, 0, 1000, 0}, {0, 0, 1234.56, 0}, {0, 0, 1500, 0}};
+    r.outcome.iterations = 3000;
+    r.outcome.objective = 0.123456;
+    r.outcome.termination = Termination::acceptable;
   }
-  for (const std::string& line : lines_of(speedup_text(runs, published()))) {
+  for (const std::string& line : lines_of(speedup_text(on_record(runs), published()))) {
     const auto width = std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; });
     EXPECT_LE(width, 150) << line;
   }
 }
 
 TEST(SpeedupTable, ComputesDifferencesFromOurOwnNumbers) {
-  auto runs = whole_table();
-  runs.resize(2);
-  runs[0].record->objective = 0.505;
-  runs[0].record->variables = 6000;
-  runs[0].record->median.solve = 3.58;
+  auto runs = whole_table(2);
+  runs[0].outcome.objective = 0.505;
+  runs[0].variables = 6000;
+  runs[0].median.solve = 3.58;
   EXPECT_EQ(
-      line_with(speedup_text(runs, published()), "ellipsoid 80x52x51"),
+      line_with(speedup_text(on_record(runs), published()), "ellipsoid 80x52x51"),
       "ellipsoid 80x52x51 | 6000 3.58 ± 0.00 20 0.505 | 94975 34.74 ± 0.00 20 0.5 | +1.000 | 9.70 19.41 0.50 "
       "| +2.0 +0.0");
 }
 
 TEST(SpeedupTable, MarksWhatIsNotOptimalAndGivesNoSpeedupForIt) {
-  auto runs = whole_table();
-  runs.resize(4);
-  runs[1].record->termination = "failed";
-  runs[1].record->message = "Restoration failed";
-  runs[2].record->termination = "acceptable";
-  const std::string text = speedup_text(runs, published());
+  auto runs = whole_table(4);
+  runs[1].outcome.termination = Termination::failed;
+  runs[1].outcome.message = "Restoration failed";
+  runs[2].outcome.termination = Termination::acceptable;
+  const std::string text = speedup_text(on_record(runs), published());
   EXPECT_EQ(
       line_with(text, "ellipsoid 80x52x51"),
       "ellipsoid 80x52x51 | 5882 1.79 ± 0.00 20 0.5 | 94975 34.74 ± 0.00 ! 20 0.5 | - | - 19.41 - | +0.0 "
       "+0.0");
   EXPECT_NE(text.find("! ellipsoid 80x52x51, voxel: failed - Restoration failed\n"), std::string::npos)
       << text;
-  EXPECT_NE(text.find("! ellipsoid 64x42x41, ray-rep: acceptable\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("! ellipsoid 64x42x41, rayrep: acceptable\n"), std::string::npos) << text;
   EXPECT_NE(line_with(text, "ellipsoid 64x42x41").find("16.17 16.11"), std::string::npos) << text;
 }
 
 TEST(SpeedupTable, ShowsADashForWhatDidNotRunOrEndedInAnError) {
-  auto runs = whole_table();
-  runs.resize(4);
+  const auto results = whole_table(4);
+  auto runs = on_record(results);
   runs[1].record.reset();
-  runs[2].record = RecordSummary{};
-  runs[2].record->error = "out of memory";
+  runs[2] = failed_run(results[2], "out of memory", "paper");
   const std::string text = speedup_text(runs, published());
   EXPECT_EQ(line_with(text, "ellipsoid 80x52x51"),
             "ellipsoid 80x52x51 | 5882 1.79 ± 0.00 20 0.5 | - - - - | - | - 19.41 - | +0.0 -");
   EXPECT_EQ(line_with(text, "ellipsoid 64x42x41"),
             "ellipsoid 64x42x41 | - - ! - - | 46314 11.48 ± 0.00 20 0.5 | - | - 16.11 - | - +0.0");
-  EXPECT_NE(text.find("! ellipsoid 64x42x41, ray-rep: error - out of memory\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("! ellipsoid 64x42x41, rayrep: error - out of memory\n"), std::string::npos) << text;
 }
 
 TEST(SpeedupTable, ShowsTheLimitThatARunMetInPlaceOfItsSeconds) {
-  auto runs = whole_table();
-  runs.resize(2);
-  runs[1].run.config.limits = {8, 600};
-  runs[1].record = RecordSummary{};
-  runs[1].record->error = "more than 8 GB";
+  auto results = whole_table(2);
+  results[1].config.limits = {8, 600};
+  auto runs = on_record(results);
+  runs[1] = failed_run(results[1], "more than 8 GB", "paper");
   EXPECT_EQ(line_with(speedup_text(runs, published()), "ellipsoid 80x52x51"),
             "ellipsoid 80x52x51 | 5882 1.79 ± 0.00 20 0.5 | - more than 8 GB ! - - | - | - 19.41 - | +0.0 -");
 }
 
 TEST(SpeedupTable, HasTheSetUpBesideAQuadric) {
-  auto runs = whole_table();
-  runs.resize(2);
-  EXPECT_EQ(speedup_text(runs, published()).find("set-up:"), std::string::npos);
+  auto runs = whole_table(2);
+  EXPECT_EQ(speedup_text(on_record(runs), published()).find("set-up:"), std::string::npos);
   runs.push_back(runs[0]);
-  runs[2].run.config.formulation = "quadric";
-  runs[2].record->median = {0.25, 0, 0.00179, 0.25179};
-  runs[2].record->samples.assign(51, runs[2].record->median);
-  const std::string text = speedup_text(runs, published());
+  runs[2].config.formulation = "quadric";
+  runs[2].median = {0.25, 0, 0.00179, 0.25179};
+  runs[2].samples.assign(51, runs[2].median);
+  const std::string text = speedup_text(on_record(runs), published());
   EXPECT_NE(line_with(text, "ellipsoid 80x52x51").find("0.00179 ± 0.00000 0.25 0.5 | 1000 "),
             std::string::npos)
       << text;
@@ -267,9 +266,9 @@ TEST(SpeedupTable, HasTheSetUpBesideAQuadric) {
 }
 
 TEST(SpeedupTable, PrintsOneTableALabelAndRowsInTheOrderOfThePaper) {
-  std::vector<RecordedRun> runs = {made_by_hand(table2[4], true, "best"),
-                                   made_by_hand(table2[1], true, "best"),
-                                   made_by_hand(table2[0], true, "paper")};
+  std::vector<RecordedRun> runs = {recorded(made_by_hand(table2[4], true), "best"),
+                                   recorded(made_by_hand(table2[1], true), "best"),
+                                   recorded(made_by_hand(table2[0], true), "paper")};
   const std::string text = speedup_text(runs, published());
   const auto best = text.find("best\n"), ellipsoid = text.find("ellipsoid 64x42x41"),
              bird = text.find("bird 80x60x60"), paper = text.find("\npaper\n");
@@ -280,18 +279,15 @@ TEST(SpeedupTable, PrintsOneTableALabelAndRowsInTheOrderOfThePaper) {
 }
 
 TEST(SpeedupTable, WorksWithoutPublishedNumbers) {
-  auto runs = whole_table();
-  runs.resize(2);
   EXPECT_EQ(
-      line_with(speedup_text(runs, std::nullopt), "ellipsoid 80x52x51"),
+      line_with(speedup_text(on_record(whole_table(2)), std::nullopt), "ellipsoid 80x52x51"),
       "ellipsoid 80x52x51 | 5882 1.79 ± 0.00 20 0.5 | 94975 34.74 ± 0.00 20 0.5 | +0.000 | 19.41 - - | - -");
 }
 
 TEST(SpeedupTable, GivesTheSameRowsAsCsv) {
-  auto runs = whole_table();
-  runs.resize(4);
+  auto runs = on_record(whole_table(4));
   runs[3].record.reset();
-  const auto lines = lines_of(to_csv(speedup_tables(runs, published())));
+  const auto lines = lines_of(to_csv(tables_by("speedup", runs, published())));
   ASSERT_EQ(lines.size(), 3u);
   const auto commas = std::count(lines[0].begin(), lines[0].end(), ',');
   for (const auto& line : lines) EXPECT_EQ(std::count(line.begin(), line.end(), ','), commas) << line;
@@ -301,20 +297,19 @@ TEST(SpeedupTable, GivesTheSameRowsAsCsv) {
 }
 
 TEST(RunsTable, ListsEveryRunWithItsTerminationAndVerdict) {
-  auto runs = whole_table();
-  runs.resize(3);
-  runs[0].record->verified_ok = true;
-  runs[0].record->violation = 2e-12;
-  runs[1].record->termination = "infeasible";
+  auto results = whole_table(3);
+  results[0].verified.verdict.ok = true;
+  results[0].outcome.violation = 2e-12;
+  results[1].outcome.termination = Termination::infeasible;
+  auto runs = on_record(results);
   runs[2].record.reset();
-  runs.push_back(made_by_hand(table2[5], true, ""));
-  runs.back().record->error = "out of memory";
-  const std::string text = to_text(runs_tables(runs, {}));
+  runs.push_back(failed_run(made_by_hand(table2[5], true), "out of memory"));
+  const std::string text = to_text(tables_by("runs", runs));
   EXPECT_NE(text.find("2.0e-12  yes\n"), std::string::npos) << text;
   EXPECT_NE(text.find("infeasible"), std::string::npos) << text;
   EXPECT_NE(text.find("not run"), std::string::npos) << text;
   EXPECT_NE(text.find("! bird 54x40x40 rayrep ipopt: error - out of memory\n"), std::string::npos) << text;
-  const auto csv = lines_of(to_csv(runs_tables(runs, {})));
+  const auto csv = lines_of(to_csv(tables_by("runs", runs)));
   ASSERT_EQ(csv.size(), 5u);
   for (const auto& line : csv) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 17) << line;
 }
@@ -326,12 +321,12 @@ TEST(Table, IsTheOneThatTheExperimentNames) {
   const auto runs = collect(experiment, folder.path);
   ASSERT_EQ(runs.size(), 2u);
   EXPECT_FALSE(runs[0].record);
-  EXPECT_EQ(table_text(experiment, runs), "A trial\n\n" + to_text(runs_tables(runs, {})));
-  EXPECT_EQ(table_csv(experiment, runs), to_csv(runs_tables(runs, {})));
+  EXPECT_EQ(table_text(experiment, runs), "A trial\n\n" + to_text(tables_by("runs", runs)));
+  EXPECT_EQ(table_csv(experiment, runs), to_csv(tables_by("runs", runs)));
   experiment.table = "speedup";
   experiment.published = "rayrep_table2";
   EXPECT_EQ(table_text(experiment, runs), "A trial\n\n" + speedup_text(runs, published()));
-  EXPECT_EQ(table_csv(experiment, runs), to_csv(speedup_tables(runs, published())));
+  EXPECT_EQ(table_csv(experiment, runs), to_csv(tables_by("speedup", runs, published())));
 }
 
 TEST(Table, FindsTheRecordsOfTheExperiment) {
@@ -345,19 +340,18 @@ TEST(Table, FindsTheRecordsOfTheExperiment) {
 }
 
 TEST(GapColumn, IsThereWhenARunIsCertified) {
-  RecordedRun plain = optimal_run(), certified = optimal_run();
-  certified.record->gap = 4e-4;
-  certified.record->bound = 0.79968;
-  plain.run.config.formulation = "voxel";
-  for (const auto make : {runs_tables, speedup_tables, published_tables}) {
-    EXPECT_EQ(to_csv(make({plain}, {})).find("gap"), std::string::npos);
-    const Tables tables = make({certified, plain}, {});
+  RunResult plain = optimal_result(), certified = optimal_result();
+  certified.certificate.emplace().bound = 0.8 * (1 - 4e-4);
+  plain.config.formulation = "voxel";
+  for (const char* table : {"runs", "speedup", "published"}) {
+    EXPECT_EQ(to_csv(tables_by(table, {recorded(plain)})).find("gap"), std::string::npos);
+    const Tables tables = tables_by(table, {recorded(certified), recorded(plain)});
     EXPECT_NE(to_csv(tables).find("gap_percent"), std::string::npos) << to_csv(tables);
     EXPECT_NE(to_text(tables).find("0.04"), std::string::npos) << to_text(tables);
   }
   // No interior at all: nothing that a share could be of.
-  certified.record->gap = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(gap_cell(certified).text, Cell::none().text);
+  certified.certificate->bound = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(cell_of_column(recorded(certified), "gap_percent").text, Cell::none().text);
 }
 
 }  // namespace

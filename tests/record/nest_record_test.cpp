@@ -48,19 +48,21 @@ TEST_F(NestRecord, HoldsWhatWasAskedAndFound) {
   ASSERT_TRUE(result.valid) << result.text;
   write_nest(file(), result);
   ASSERT_EQ(kind_of_record(file()), RecordKind::nesting);
-  const NestSummary read = read_nest(file());
-  EXPECT_EQ(read.config, describe(config_));
-  EXPECT_EQ(read.kind, "swarm");
-  EXPECT_EQ(read.shapes, "ball in egg");
-  EXPECT_EQ(read.termination, "valid");
+  const NestResult read = read_nest(file());
+  // All that people and scripts are told of a nesting is in its record.
+  EXPECT_EQ(read_record(file()).summary, to_json(result));
+  EXPECT_EQ(describe(read.config), describe(config_));
+  EXPECT_EQ(kind_of(read.config), "swarm");
+  EXPECT_EQ(shapes_text(read.config), "ball in egg");
+  EXPECT_EQ(termination_of(read), "valid");
   EXPECT_EQ(read.scale, result.scale);
   EXPECT_EQ(read.evaluations, result.evaluations);
   EXPECT_EQ(read.outer_triangles, 20u * 36);
   ASSERT_EQ(read.trace.size(), result.trace.size());
   ASSERT_EQ(result.trace_seconds.size(), result.trace.size());
   EXPECT_EQ(read.trace.back().best, result.scale);
-  EXPECT_EQ(read.trace.back().seconds, result.trace_seconds.back());
-  EXPECT_GE(read.certified_scale.value(), result.scale) << "what hybrid finds holds on the triangles";
+  EXPECT_EQ(read.trace_seconds.back(), result.trace_seconds.back());
+  EXPECT_GE(read.certified.value().scale, result.scale) << "what hybrid finds holds on the triangles";
   EXPECT_GE(read.sampled_scale.value(), result.scale) << "samples are optimistic";
   ASSERT_EQ(read.timings.size(), 4u);
   for (const NestTiming& timing : read.timings) {
@@ -77,32 +79,32 @@ TEST_F(NestRecord, HoldsWhatWasAskedAndFound) {
 TEST_F(NestRecord, HoldsTestsScalesComparisonsAndFailures) {
   config_.scale = 1.2;
   write_nest(file(), run_nest(config_, hooks_));
-  NestSummary read = read_nest(file());
-  EXPECT_EQ(read.kind, "test");
-  EXPECT_EQ(read.termination, "infeasible");
+  NestResult read = read_nest(file());
+  EXPECT_EQ(kind_of(read.config), "test");
+  EXPECT_EQ(termination_of(read), "infeasible");
   EXPECT_EQ(read.scale, 1.2);
-  EXPECT_FALSE(read.certified_scale);
+  EXPECT_FALSE(read.certified);
 
   config_.scale.reset();
   config_.variant = "envelope";
   write_nest(file(), run_nest(config_, hooks_));
   read = read_nest(file());
-  EXPECT_EQ(read.kind, "scale");
+  EXPECT_EQ(kind_of(read.config), "scale");
   EXPECT_TRUE(read.valid);
-  EXPECT_NEAR(read.certified_scale.value(), read.scale, 0.01) << "repaired where samples missed a contact";
+  EXPECT_NEAR(read.certified.value().scale, read.scale, 0.01) << "repaired where samples missed a contact";
 
   config_.accuracy = 3;
   write_nest(file(), run_nest(config_, hooks_));
   read = read_nest(file());
-  EXPECT_EQ(read.kind, "accuracy");
+  EXPECT_EQ(kind_of(read.config), "accuracy");
   EXPECT_EQ(read.accuracy.value().placements, 3);
   ASSERT_EQ(read.accuracy->errors.size(), 4u);
   EXPECT_EQ(read.accuracy->errors.back().resolution, 512);
 
   write_nest_failure(file(), config_, {}, "no such shape");
-  read = read_nest(file());
-  EXPECT_EQ(read.error, "no such shape");
-  EXPECT_EQ(read.config, describe(config_));
+  const Record failed = read_record(file());
+  EXPECT_EQ(failed.error, "no such shape");
+  EXPECT_EQ(failed.config(), describe(config_));
 }
 
 TEST_F(NestRecord, ASearchGoesOnFromACheckpointAsIfItHadNeverStopped) {

@@ -20,7 +20,6 @@
 #include "error.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/table.hpp"
-#include "record/record.hpp"
 #include "record/simulation_record.hpp"
 #include "session/build_info.hpp"
 
@@ -69,7 +68,7 @@ json simulations_of(const std::vector<RecordedRun>& runs, const fs::path& folder
   json made = json::object();
   std::optional<device::Device> device;
   for (const RecordedRun& run : runs) {
-    if (!run.record || !run.record->error.empty() || !run.record->has_part) continue;
+    if (!run.has_result() || run.at("verified").is_null()) continue;
     const std::string& record = run.record->path.string();
     if (made.contains(record)) continue;
     if (!device) device.emplace();

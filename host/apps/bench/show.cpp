@@ -1,82 +1,87 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
+#include <vector>
 
 #include "apps/bench/commands.hpp"
-#include "record/map_record.hpp"
-#include "record/nest_record.hpp"
-#include "record/record.hpp"
-#include "record/records_in.hpp"
+#include "experiment/row.hpp"
 
 namespace kreisel::core::bench {
 namespace {
 
-void print(const RecordSummary& r) {
-  fmt::print("{}\n", r.path.string());
-  if (!r.error.empty()) {
-    fmt::print("  failed     {}\n", r.error);
-    return;
-  }
-  fmt::print("  run        {} {} x {} x {}, {} by {} with {}: {} rays, {} voxels, {} variables\n", r.model,
-             r.grid[0], r.grid[1], r.grid[2], r.problem, r.formulation, r.solver, r.rays, r.interior_voxels,
-             r.variables);
-  if (!r.scope.empty()) fmt::print("  possible   {}\n", r.scope);
-  fmt::print("  solve      {} ({}), {} iterations, objective {:.6f}, violation {:.1e}\n", r.termination,
-             r.message, r.iterations, r.objective, r.violation);
-  if (!r.strict_minimum.empty())
-    fmt::print("  minimum    strict local minimum: {}{}\n", r.strict_minimum,
-               std::isfinite(r.smallest_eigenvalue.value_or(std::nan("")))
-                   ? fmt::format(", smallest eigenvalue {:.3g}", *r.smallest_eigenvalue)
-                   : "");
-  if (!r.infeasibility.empty()) fmt::print("  infeasible {}\n", r.infeasibility);
-  fmt::print("  time       {:.3f} s solve ({:.3f} s in kernels), {:.3f} s set-up; median of {}\n",
-             r.median.solve, r.median.kernels, r.median.setup, r.samples.size());
-  if (r.bound && r.gap) fmt::print("  certified  f >= {:.6f}, gap {:.3g} %\n", *r.bound, 100 * *r.gap);
-  if (r.has_part)
-    fmt::print("  rounded    objective {:.6f}, violation {:.1e}, {} voxels mended, {} moved\n",
-               r.rounded_objective, r.rounded_violation, r.mended_voxels, r.moved_voxels);
-  fmt::print("  verified   {}\n", r.verified_text);
-  fmt::print("  made       {} by {} on {}\n", r.started, r.commit, r.device);
-  fmt::print("  config    ");
-  for (const auto& [key, value] : r.config) fmt::print(" {}={}", key, value);
-  fmt::print("\n");
+using Lines = std::vector<const char*>;
+
+/// Patterns of text_of(): a line without its values is not there.
+const Lines& lines_of(RecordKind kind) {
+  static const Lines of_run = {
+      "  run        {model} {grid.0} x {grid.1} x {grid.2}, {problem} by {formulation} with {solver}: {rays} "
+      "rays, {interior_voxels} voxels, {variables} variables",
+      "  possible   {scope}",
+      "  solve      {termination} ({message}), {iterations} iterations, objective {objective:.6f}, violation "
+      "{violation:.1e}",
+      "  minimum    strict local minimum: {local_minimum.strict}, smallest eigenvalue "
+      "{local_minimum.smallest_eigenvalue:.3g} ||   minimum    strict local minimum: {local_minimum.strict}",
+      "  infeasible {infeasibility}",
+      "  time       {seconds.solve:.3f} s solve ({seconds.kernels:.3f} s in kernels), {seconds.setup:.3f} s "
+      "set-up; median of {samples}",
+      "  certified  f >= {bound:.6f}, gap {gap_percent:.3g} %",
+      "  rounded    objective {rounding.objective:.6f}, violation {rounding.constraint_violation:.1e}, "
+      "{rounding.mended_voxels} voxels mended, {rounding.moved_voxels} moved",
+      "  verified   {verified.text|no_part}"};
+  static const Lines of_map = {
+      "  {model}: map of {problem}, axes through {through}, {axes_answered} of {axes_asked} axes, grid "
+      "{grid.0}x{grid.1}x{grid.2}, {rays} rays, {seconds.sweep:.3f} s",
+      "  make it    {best.command}"};
+  static const Lines of_nesting = {
+      "  {shapes}: {kind}, {outer_triangles} + {inner_triangles} triangles",
+      "  answer     {text} ({termination})",
+      "  scale      {scale:.6g}",
+      "  certified  {certified_scale:.6g}",
+      "  sampled    {sampled_scale:.6g}",
+      "  time       {seconds.search:.3f} s test or search ({evaluations} evaluations), {seconds.setup:.3f} s "
+      "set-up"};
+  static const Lines of_simulation = {"  {model}: {problem}, solid and part in motion",
+                                      "  motion     {contact}, {rpm:.0f} rpm from a tilt of {tilt_degrees} "
+                                      "degrees, {seconds:.3g} s"};
+  const Lines* const all[] = {&of_run, &of_map, &of_nesting, &of_simulation};
+  return *all[static_cast<std::size_t>(kind)];
 }
 
-void print(const MapSummary& map) {
-  fmt::print("{}\n", map.path.string());
-  fmt::print("  {}: map of {}{}, {} of {} axes, grid {}x{}x{}, {} rays, {:.3f} s\n", map.model, map.problem,
-             map.problem == "spin" ? " through " + map.through : "", map.axes, map.asked, map.grid[0],
-             map.grid[1], map.grid[2], map.rays, map.sweep_seconds);
-  for (const MapSummary::Case& part : map.cases)
-    fmt::print("  {:<10} {:.1f} % feasible, {:.1f} % {}\n",
-               part.draft.empty() ? "possible" : "draft " + part.draft, 100 * part.feasible, 100 * part.ok,
-               map.problem);
-  if (map.best) fmt::print("  make it    {}\n", map.best->command);
-  fmt::print("  made       {} by {} on {}\n", map.started, map.commit, map.device);
+/// What a record has several of: a line each.
+void print_items(const Row& row, const char* list, const char* pattern) {
+  const nlohmann::json items = row.runs.front()->at(list);
+  for (const auto& [key, item] : items.items()) {
+    Row one = row;
+    one.item = item;
+    one.item["key"] = key;
+    if (const auto line = text_of(one, pattern)) fmt::print("{}\n", *line);
+  }
 }
 
-void print(const NestSummary& nest) {
-  fmt::print("{}\n", nest.path.string());
-  if (!nest.error.empty()) {
-    fmt::print("  failed     {}\n", nest.error);
+void print(const Record& record) {
+  const RecordedRun run{{}, record};
+  const Row row{{&run}};
+  fmt::print("{}\n", record.path.string());
+  if (!record.error.empty()) {
+    fmt::print("  failed     {}\n", record.error);
     return;
   }
-  fmt::print("  {}: {}, {} + {} triangles\n", nest.shapes, nest.kind, nest.outer_triangles,
-             nest.inner_triangles);
-  fmt::print("  answer     {} ({})\n", nest.text, nest.termination);
-  if (nest.valid) fmt::print("  scale      {:.6g}\n", nest.scale);
-  if (nest.certified_scale) fmt::print("  certified  {:.6g}\n", *nest.certified_scale);
-  if (nest.sampled_scale) fmt::print("  sampled    {:.6g}\n", *nest.sampled_scale);
-  fmt::print("  time       {:.3f} s test or search ({} evaluations), {:.3f} s set-up\n", nest.search_seconds,
-             nest.evaluations, nest.setup_seconds);
-  for (const NestTiming& t : nest.timings)
-    fmt::print("  {:<10} {:.4g} ms a test, {:.4g} ms a search, which finds {:.6g}\n", t.variant, t.test_ms,
-               t.search_ms, t.scale);
-  fmt::print("  made       {} by {} on {}\n", nest.started, nest.commit, nest.device);
+  for (const char* pattern : lines_of(record.kind))
+    if (const auto line = text_of(row, pattern)) fmt::print("{}\n", *line);
+  print_items(row, "cases",
+              "  {item.draft|'possible'}: {100 * item.feasible / axes_answered:.1f} % feasible, "
+              "{100 * item.ok / axes_answered:.1f} % do it");
+  print_items(row, "timings",
+              "  {item.key}: {item.test_ms:.4g} ms a test, {item.search_ms:.4g} ms a search, "
+              "which finds {item.scale:.6g}");
+  for (const char* body : {"solid", "part"})
+    if (const auto line = text_of(row, fmt::format("  {0:<10} {{{0}.text}} || ", body));
+        line && !line->empty())
+      fmt::print("{}\n", *line);
+  if (const auto line = text_of(row, "  made       {provenance.started} by {commit} on {device}"))
+    fmt::print("{}\n", *line);
   fmt::print("  config    ");
-  for (const auto& [key, value] : nest.config) fmt::print(" {}={}", key, value);
+  for (const auto& [key, value] : record.config()) fmt::print(" {}={}", key, value);
   fmt::print("\n");
 }
 
@@ -84,15 +89,7 @@ void print(const NestSummary& nest) {
 
 int show(const std::vector<std::string>& paths) {
   for (const std::string& path : paths)
-    for (const std::filesystem::path& record : records_in(path)) {
-      const RecordKind kind = kind_of_record(record);
-      if (kind == RecordKind::map)
-        print(read_map(record));
-      else if (kind == RecordKind::nesting)
-        print(read_nest(record));
-      else
-        print(read_record(record));
-    }
+    for (const std::filesystem::path& record : records_in(path)) print(read_record(record));
   return done;
 }
 

@@ -1,0 +1,87 @@
+#include "experiment/recorded_run.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "experiment/run_text.hpp"
+#include "experiment/runner.hpp"
+
+namespace kreisel::core {
+
+using nlohmann::json;
+
+std::map<std::string, std::string> RecordedRun::fields() const {
+  std::map<std::string, std::string> fields;
+  if (record) {  // the same, and there without the run, too
+    fields = record->config();
+    if (const json shapes = at("shapes"); shapes.is_string()) fields["shapes"] = shapes;
+  } else {
+    fields = fields_of(run);
+  }
+  fields["label"] = run.label;
+  return fields;
+}
+
+std::string RecordedRun::termination() const {
+  if (!record) return "not run";
+  if (!record->error.empty()) return "error";
+  const json said = at("termination");
+  return said.is_string() ? said.get<std::string>() : "complete";
+}
+
+bool RecordedRun::is_optimal() const { return has_result() && termination() == "optimal"; }
+
+bool RecordedRun::is_converged() const {
+  return is_optimal() || (has_result() && termination() == "acceptable");
+}
+
+json RecordedRun::at(std::string_view name) const {
+  return record ? value_in(record->summary, name) : json();
+}
+
+std::optional<double> RecordedRun::number(std::string_view name) const {
+  const json found = at(name);
+  return found.is_number() ? std::optional(found.get<double>()) : std::nullopt;
+}
+
+json value_in(const json& summary, std::string_view name) {
+  const json* at = &summary;
+  while (!name.empty()) {
+    const std::size_t dot = std::min(name.find('.'), name.size());
+    const std::string word(name.substr(0, dot));
+    name.remove_prefix(std::min(dot + 1, name.size()));
+    if (at->is_object() && at->contains(word))
+      at = &at->at(word);
+    else if (at->is_array() && word.find_first_not_of("0123456789") == word.npos &&
+             std::stoul(word) < at->size())
+      at = &at->at(std::stoul(word));
+    else
+      return nullptr;
+  }
+  return *at;
+}
+
+std::vector<RecordedRun> collect(const Experiment& experiment, const std::filesystem::path& results) {
+  std::vector<RecordedRun> runs;
+  for (const ExperimentRun& run : experiment.runs) {
+    const auto path = record_path(results, experiment.name, run);
+    std::error_code ignored;
+    RecordedRun& recorded = runs.emplace_back(RecordedRun{run});
+    if (std::filesystem::exists(path, ignored)) recorded.record = read_record(path);
+  }
+  return runs;
+}
+
+std::string note_of(const RecordedRun& run, bool unless_optimal, std::string name) {
+  if (!run.record || run.is_optimal()) return "";
+  if (run.has_result() && !unless_optimal) return "";
+  const json said = run.at("message");
+  const std::string words = !run.has_result()  ? run.record->error
+                            : said.is_string() ? said.get<std::string>()
+                                               : "";
+  if (name.empty()) name = run_text(run.run);
+  return fmt::format("! {}: {}{}{}\n", name, run.termination(), words.empty() ? "" : " - ", words);
+}
+
+}  // namespace kreisel::core

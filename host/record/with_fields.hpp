@@ -1,0 +1,42 @@
+// with_fields.hpp - going over a description: into a file, out of one, into JSON.
+#pragma once
+
+#include <filesystem>
+
+#include "record/from_hdf5.hpp"
+#include "record/schema.hpp"
+#include "record/to_hdf5.hpp"
+#include "record/to_json.hpp"
+
+namespace kreisel::core::fields {
+
+/// Temporary name in the same folder, then renamed. @throws InputError  the folder cannot be written
+template <class Describe>
+void write_with(const std::filesystem::path& path, const Describe& describe) {
+  hdf5::File file = hdf5::File::create(path);
+  {
+    ToHdf5 fields(file);  // holds groups of the file, which must be closed before it is
+    describe(fields);
+  }
+  file.close();
+}
+
+/// @param what  such as "a map", for the message
+/// @throws InputError  another schema, a version above `newest`, a field that is not there
+template <class Describe>
+void read_with(const std::filesystem::path& path, std::string_view what, std::string_view schema, int newest,
+               const Describe& describe) {
+  const hdf5::File file = hdf5::File::open(path);
+  require_schema(file, path.string(), what, schema, newest);
+  FromHdf5 fields(file, path.string());
+  describe(fields, file);
+}
+
+template <class Describe>
+[[nodiscard]] nlohmann::json json_with(const Describe& describe) {
+  ToJson fields;
+  describe(fields);
+  return fields.json();
+}
+
+}  // namespace kreisel::core::fields
