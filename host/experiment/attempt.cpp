@@ -17,6 +17,7 @@
 #include "record/map_record.hpp"
 #include "record/nest_record.hpp"
 #include "record/record.hpp"
+#include "record/simulation_record.hpp"
 
 namespace kreisel::core {
 namespace fs = std::filesystem;
@@ -76,9 +77,9 @@ class Solve final : public Attempt {
   Solve(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks), mesh_(run.mesh) {}
 
   void run(const Control& control) override {
-    result_ = hooks_.run(run_.run.config, mesh_.file(), control).result;
+    result_ = hooks_.run(run_.run.solve(), mesh_.file(), control).result;
     // Interrupted between two timed solves: whole, but timed less often than asked.
-    const bool cut_short = result_->samples.size() < static_cast<std::size_t>(run_.run.config.repeat) &&
+    const bool cut_short = result_->samples.size() < static_cast<std::size_t>(run_.run.solve().repeat) &&
                            hooks_.stop.stop_requested();
     whole_ = !cut_short && result_->outcome.termination != Termination::interrupted;
   }
@@ -91,7 +92,7 @@ class Solve final : public Attempt {
   [[nodiscard]] std::string text() const override {
     const Outcome& outcome = result_->outcome;
     return fmt::format("{}: {}, {} variables, {} iterations, {:.3g} s (median of {}), f = {:.6g}",
-                       run_text(result_->config), to_string(outcome.termination), result_->variables,
+                       run_text(run_.run), to_string(outcome.termination), result_->variables,
                        outcome.iterations, result_->median.solve, result_->samples.size(), outcome.objective);
   }
   void keep() override {
@@ -112,7 +113,7 @@ class Mapping final : public Attempt {
  public:
   Mapping(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
 
-  void run(const Control& control) override { map_ = hooks_.map(run_.run.config, control); }
+  void run(const Control& control) override { map_ = hooks_.map(std::get<MapRun>(run_.run.run), control); }
   [[nodiscard]] bool whole() const override { return map_.axes.size() == map_.asked; }
   [[nodiscard]] bool converged() const override { return true; }  // an axis that is infeasible is an answer
   [[nodiscard]] std::string text() const override {
@@ -133,7 +134,7 @@ class Nesting final : public Attempt {
  public:
   Nesting(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
 
-  void run(const Control& control) override { result_ = hooks_.nest(*run_.run.nest, control); }
+  void run(const Control& control) override { result_ = hooks_.nest(run_.run.nesting(), control); }
   [[nodiscard]] bool whole() const override { return result_.ending != NestResult::Ending::interrupted; }
   [[nodiscard]] bool converged() const override { return true; }  // that nothing nests is an answer
   [[nodiscard]] std::string text() const override {
@@ -148,6 +149,27 @@ class Nesting final : public Attempt {
   NestResult result_;
 };
 
+class Simulating final : public Attempt {
+ public:
+  Simulating(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
+
+  void run(const Control& control) override {
+    result_ = hooks_.simulation(std::get<SimulationRun>(run_.run.run), control);
+  }
+  [[nodiscard]] bool whole() const override { return true; }      // one that is interrupted throws
+  [[nodiscard]] bool converged() const override { return true; }  // that there is no part is an answer
+  [[nodiscard]] std::string text() const override {
+    if (!result_.made) return fmt::format("{}: {}, no part", run_text(run_.run), result_.termination);
+    return fmt::format("{}: {}", run_text(run_.run), result_.part.verdict.text);
+  }
+  void keep() override { write_simulation(run_.record, result_); }
+
+ private:
+  const PlannedRun& run_;
+  const RunnerHooks& hooks_;
+  Simulation result_;
+};
+
 /// Whether more timed solves are asked for than when the record was made, and would be made now. A record
 /// that was asked the same is as good as another one would be.
 bool wants_more_samples(const RunConfig& config, const RecordSummary& record) {
@@ -160,29 +182,62 @@ bool wants_more_samples(const RunConfig& config, const RecordSummary& record) {
 }  // namespace
 
 std::unique_ptr<Attempt> make_attempt(const PlannedRun& run, const RunnerHooks& hooks) {
-  if (run.run.nest) {
-    if (nest::is_baseline(run.run.nest->swarm)) return std::make_unique<OutsideNesting>(run);
-    return std::make_unique<Nesting>(run, hooks);
-  }
-  if (run.run.config.map) return std::make_unique<Mapping>(run, hooks);
-  if (run.run.config.limits.any()) return std::make_unique<OutsideSolve>(run);
-  return std::make_unique<Solve>(run, hooks);
+  struct Make {
+    const PlannedRun& run;
+    const RunnerHooks& hooks;
+    std::unique_ptr<Attempt> operator()(const RunConfig& solve) const {
+      if (solve.limits.any()) return std::make_unique<OutsideSolve>(run);
+      return std::make_unique<Solve>(run, hooks);
+    }
+    std::unique_ptr<Attempt> operator()(const MapRun&) const { return std::make_unique<Mapping>(run, hooks); }
+    std::unique_ptr<Attempt> operator()(const SimulationRun&) const {
+      return std::make_unique<Simulating>(run, hooks);
+    }
+    std::unique_ptr<Attempt> operator()(const NestConfig& nest) const {
+      const auto* search = part_of<NestSearch>(nest);
+      if (search && nest::is_baseline(search->swarm)) return std::make_unique<OutsideNesting>(run);
+      return std::make_unique<Nesting>(run, hooks);
+    }
+  };
+  return std::visit(Make{run, hooks}, run.run.run);
 }
 
+namespace {
+
+RunState state_of_error(const std::string& error) {
+  return error.empty() ? RunState::finished : RunState::failed;
+}
+
+RunState state_of_solve(const PlannedRun& run, const Limits& limits) {
+  const RecordSummary record = read_record(run.record);
+  if (is_limit(limits, record.error)) return RunState::finished;
+  if (!record.error.empty()) return RunState::failed;
+  std::error_code ignored;
+  if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
+  const auto* solve = std::get_if<RunConfig>(&run.run.run);
+  if (solve && wants_more_samples(*solve, record)) return RunState::few_samples;
+  return RunState::finished;
+}
+
+}  // namespace
+
 RunState state_of(const PlannedRun& run) {
+  struct State {
+    const PlannedRun& run;
+    RunState operator()(const RunConfig& solve) const { return state_of_solve(run, solve.limits); }
+    RunState operator()(const MapRun&) const {
+      if (!is_map(run.record)) return state_of_solve(run, {});  // one that failed
+      const MapSummary map = read_map(run.record);
+      return map.axes == map.asked ? RunState::finished : RunState::missing;
+    }
+    RunState operator()(const SimulationRun&) const {
+      return state_of_error(read_simulation(run.record).error);
+    }
+    RunState operator()(const NestConfig&) const { return state_of_error(read_nest(run.record).error); }
+  };
   std::error_code ignored;
   if (!fs::exists(run.record, ignored)) return RunState::missing;
-  if (run.run.nest) return read_nest(run.record).error.empty() ? RunState::finished : RunState::failed;
-  if (run.run.config.map && is_map(run.record)) {
-    const MapSummary map = read_map(run.record);
-    return map.axes == map.asked ? RunState::finished : RunState::missing;
-  }
-  const RecordSummary record = read_record(run.record);
-  if (is_limit(run.run.config.limits, record.error)) return RunState::finished;
-  if (!record.error.empty()) return RunState::failed;
-  if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
-  if (wants_more_samples(run.run.config, record)) return RunState::few_samples;
-  return RunState::finished;
+  return std::visit(State{run}, run.run.run);
 }
 
 }  // namespace kreisel::core

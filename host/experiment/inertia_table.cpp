@@ -50,8 +50,8 @@ void add_row(Sheet& sheet, const std::string& run, const std::string& body, cons
 }
 
 Block block_of(const RecordedRun& run, const std::optional<Published>& published) {
-  std::string heading = run_text(run.run.config);
-  for (const auto& [name, value] : run.run.config.settings) heading += fmt::format(", {}={}", name, value);
+  std::string heading = run_text(run.run);
+  for (const auto& [name, value] : run.run.asked().settings) heading += fmt::format(", {}={}", name, value);
   Block block{heading, inertia_sheet(), note_of(run)};
   if (has_result(run)) {
     const RecordSummary& r = *run.record;

@@ -18,7 +18,7 @@ struct SolverRow {
 std::vector<SolverRow> rows_of(const std::vector<RecordedRun>& runs) {
   std::vector<SolverRow> rows;
   for (const RecordedRun& run : runs) {
-    const RunConfig& config = run.run.config;
+    const Asked& config = run.run.asked();
     const std::string name = model_text(config) + ' ' + grid_text(run);
     SolverRow& row = find_or_add(
         rows,

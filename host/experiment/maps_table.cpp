@@ -30,10 +30,11 @@ Sheet maps_sheet() {
 }
 
 std::vector<Cell> names_of(const RecordedRun& run, const std::string& draft) {
-  const RunConfig& config = run.run.config;
-  const bool centre = config.map && config.map->through == Through::centre;
+  const Asked& config = run.run.asked();
+  const auto* map = std::get_if<MapRun>(&run.run.run);
+  const bool centre = map && map->through == Through::centre;
   return {model_text(config), config.problem,
-          config.problem == "spin" ? Cell(centre ? "centre" : "lowest") : Cell::none(), draft};
+          !find_problem(config.problem).upright ? Cell(centre ? "centre" : "lowest") : Cell::none(), draft};
 }
 
 void add_case(Sheet& sheet, const RecordedRun& run, const MapSummary::Case& part, bool first) {
@@ -72,10 +73,10 @@ Tables maps_tables(const std::vector<RecordedRun>& runs, const std::optional<Pub
       continue;
     }
     std::vector<Cell> cells = names_of(run, "");
-    cells.emplace_back(grid_text(run.run.config.grid));
+    cells.emplace_back(grid_text(run.run.asked().grid));
     cells.insert(cells.end(), 13, Cell::none());
     sheet.add(std::move(cells));
-    notes += run.record ? note_of(run) : fmt::format("{}: not run\n", run_text(run.run.config));
+    notes += run.record ? note_of(run) : fmt::format("{}: not run\n", run_text(run.run));
   }
   return {
       {{"", std::move(sheet), notes}},

@@ -25,7 +25,7 @@ Tables nest_layers_tables(const std::vector<RecordedRun>& runs, const std::optio
   for (const RecordedRun& run : runs) {
     Sheet sheet = layers_sheet();
     std::string notes = note_of_nesting(run);
-    std::string heading = run.run.label.empty() ? shapes_text(*run.run.nest) : run.run.label;
+    std::string heading = run.run.label.empty() ? shapes_text(run.run.nesting()) : run.run.label;
     if (has_nesting(run)) {
       double seconds = 0;
       for (std::size_t k = 0; k < run.nest->layers.size(); ++k) {

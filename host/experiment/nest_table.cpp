@@ -64,7 +64,7 @@ std::vector<Cell> row_of(const RecordedRun& run, bool timings) {
   const NestSummary& nest = *run.nest;
   std::vector<Cell> cells = {run.run.label, nest.shapes,
                              fmt::format("{}", nest.outer_triangles + nest.inner_triangles),
-                             run.run.nest->free, fmt::format("{}", nest.evaluations)};
+                             text_of(run.run.run, "free"), fmt::format("{}", nest.evaluations)};
   if (timings) add_timings(cells, nest);
   const double seconds = nest.setup_seconds + nest.search_seconds + nest.certify_seconds;
   cells.insert(cells.end(),
@@ -125,7 +125,7 @@ Tables nest_accuracy_tables(const std::vector<RecordedRun>& runs, const std::opt
                  {"optimistic", "of the placements", "above"},
                  {"pessimistic", "of the placements", "below"},
                  {"missed", "of the placements", "missed"}});
-    std::string heading = shapes_text(*run.run.nest);
+    std::string heading = shapes_text(run.run.nesting());
     if (has_nesting(run) && run.nest->accuracy) {
       const nest::Accuracy& found = *run.nest->accuracy;
       heading += fmt::format(
@@ -133,7 +133,7 @@ Tables nest_accuracy_tables(const std::vector<RecordedRun>& runs, const std::opt
           "from envelopes in {} of {} pixels",
           found.nested, found.placements, found.exact_agrees, found.peel_disagrees, found.pixels);
       for (const nest::SampledError& e : found.errors)
-        sheet.add({shapes_text(*run.run.nest), fmt::format("{}", e.resolution),
+        sheet.add({shapes_text(run.run.nesting()), fmt::format("{}", e.resolution),
                    fmt::format("{}", found.placements), fmt::format("{}", found.nested),
                    Cell::of(e.median, "{:.2g}"), Cell::of(e.most_of, "{:.2g}"), Cell::of(e.largest, "{:.2g}"),
                    fmt::format("{}", e.optimistic), fmt::format("{}", e.pessimistic),

@@ -28,7 +28,7 @@ namespace kreisel::core {
 [[nodiscard]] inline std::vector<std::string> shapes_of(const std::vector<RecordedRun>& runs) {
   std::vector<std::string> all;
   for (const RecordedRun& run : runs)
-    if (const std::string shapes = shapes_text(*run.run.nest); std::ranges::find(all, shapes) == all.end())
+    if (const std::string shapes = shapes_text(run.run.nesting()); std::ranges::find(all, shapes) == all.end())
       all.push_back(shapes);
   return all;
 }

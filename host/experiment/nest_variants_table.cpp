@@ -64,7 +64,7 @@ std::vector<Cell> row_of(const Seeds& seeds, const std::string& shapes, double b
 std::vector<std::string> settings_of_search(const std::vector<RecordedRun>& runs) {
   std::vector<std::map<std::string, std::string>> all;
   for (const RecordedRun& run : runs) {
-    auto& fields = all.emplace_back(describe(*run.run.nest));
+    auto& fields = all.emplace_back(describe(run.run.run));
     for (const char* key : {"outer", "inner", "seed"}) fields.erase(key);
   }
   const auto shared = [&](const std::pair<const std::string, std::string>& field) {
@@ -94,7 +94,7 @@ Tables nest_variants_tables(const std::vector<RecordedRun>& runs, const std::opt
     double best = 0;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const RecordedRun& run = runs[i];
-      if (shapes_text(*run.run.nest) != shapes) continue;
+      if (shapes_text(run.run.nesting()) != shapes) continue;
       notes += note_of_nesting(run);
       if (!has_nesting(run)) continue;
       auto at = std::ranges::find(rows, settings[i], &Seeds::setting);

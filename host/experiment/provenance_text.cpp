@@ -26,6 +26,7 @@ Origin origin(const Summary& summary) {
 std::optional<Origin> origin_of(const RecordedRun& run) {
   if (run.nest) return origin(*run.nest);
   if (run.map) return origin(*run.map);
+  if (run.simulation) return origin(*run.simulation);
   if (run.record) return origin(*run.record);
   return std::nullopt;
 }

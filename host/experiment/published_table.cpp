@@ -10,8 +10,8 @@ namespace {
 
 std::optional<PublishedRow::Side> side_of(const RecordedRun& run, const PublishedRow* row) {
   if (!row) return std::nullopt;
-  if (run.run.config.formulation == "rayrep") return row->rayrep;
-  if (run.run.config.formulation == "voxel") return row->voxel;
+  if (run.run.asked().formulation == "rayrep") return row->rayrep;
+  if (run.run.asked().formulation == "voxel") return row->voxel;
   return std::nullopt;
 }
 
@@ -49,7 +49,7 @@ Tables published_tables(const std::vector<RecordedRun>& runs, const std::optiona
     Block& block = find_or_add(tables.blocks, same_label, [&] {
       return Block{label, empty_sheet(certified), {}};
     });
-    const RunConfig& config = run.run.config;
+    const Asked& config = run.run.asked();
     const SolveCells solve(run);
     const auto there = side_of(run, find_row(run, published));
     std::optional<double> excess, faster;

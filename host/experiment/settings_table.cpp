@@ -26,19 +26,19 @@ enum class By { setting, formulation };
 
 /// What a block has in its name; the rest of a configuration is settings.
 Fields settings_of(const RecordedRun& run, By by) {
-  Fields fields = describe(run.run.config);
+  Fields fields = describe(run.run.run);
   for (const char* key : {"model", "resolution", "problem"}) fields.erase(key);
   // A formulation has one solver of its own; another one is written in the experiment as a setting would be.
   if (by == By::formulation)
     for (const char* key : {"domain", "certify", "part"}) fields.erase(key);
   else
     fields.erase("formulation");
-  if (by == By::formulation && run.run.config.solver.empty()) fields.erase("solver");
+  if (by == By::formulation && run.run.asked().solver.empty()) fields.erase("solver");
   return fields;
 }
 
 /// Only interiors of one domain can be compared, so its name stands where formulations differ.
-std::string name_of(const RunConfig& config, By by) {
+std::string name_of(const Asked& config, By by) {
   const std::string body =
       fmt::format("{} {}, {}", model_text(config), grid_text(config.grid), config.problem);
   return by == By::setting ? fmt::format("{}, {}", body, config.formulation)
@@ -48,7 +48,7 @@ std::string name_of(const RunConfig& config, By by) {
 std::vector<SettingsGroup> groups_of(const std::vector<RecordedRun>& runs, By by) {
   std::vector<SettingsGroup> groups;
   for (const RecordedRun& run : runs) {
-    const std::string name = name_of(run.run.config, by);
+    const std::string name = name_of(run.run.asked(), by);
     find_or_add(
         groups, [&](const SettingsGroup& g) { return g.name == name; },
         [&] {
@@ -123,14 +123,14 @@ Sheet empty_sheet(bool labels, bool certified, By by) {
 std::string with_formulation(const RecordedRun& run, Fields fields, const Fields& common, bool whole) {
   fields.erase("formulation");
   const std::string rest = text_of(fields, common, whole);
-  return rest == "defaults" ? run.run.config.formulation
-                            : fmt::format("{}, {}", run.run.config.formulation, rest);
+  return rest == "defaults" ? run.run.asked().formulation
+                            : fmt::format("{}, {}", run.run.asked().formulation, rest);
 }
 
 void add_row(Block& block, const SettingsGroup& group, const RecordedRun& run, const Fields& common,
              bool certified, By by) {
   const SolveCells solve(run);
-  const RunConfig& config = run.run.config;
+  const Asked& config = run.run.asked();
   const RecordedRun& first = *group.runs.front();
   std::optional<double> time, above;
   if (is_converged(run)) {

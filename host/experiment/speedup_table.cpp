@@ -35,7 +35,7 @@ std::vector<Group> groups_of(const std::vector<RecordedRun>& runs,
                              const std::optional<Published>& published) {
   std::vector<Group> groups;
   for (const RecordedRun& run : runs) {
-    const RunConfig& config = run.run.config;
+    const Asked& config = run.run.asked();
     Group& group = find_or_add(
         groups, [&](const Group& g) { return g.label == run.run.label; },
         [&] {
@@ -102,7 +102,7 @@ std::optional<PublishedRow::Side> published_side(const Row& row, bool rays) {
 /// that limit in their place.
 Cell marked(const RecordedRun* side, Cell seconds) {
   if (!side || !side->record || is_optimal(*side)) return seconds;
-  if (is_limit(side->run.config.limits, side->record->error)) seconds.text = side->record->error;
+  if (is_limit(side->run.solve().limits, side->record->error)) seconds.text = side->record->error;
   seconds.text += " !";
   return seconds;
 }
@@ -123,7 +123,7 @@ std::string settings_text(const Group& group, const RecordedRun* Row::*side) {
   std::set<std::string> distinct;
   for (const Row& row : group.rows) {
     if (!(row.*side)) continue;
-    const RunConfig& config = (row.*side)->run.config;
+    const Asked& config = (row.*side)->run.asked();
     std::string text = solver_of(config);
     for (const auto& [name, value] : config.settings) text += fmt::format(", {}={}", name, value);
     distinct.insert(text);
@@ -231,7 +231,7 @@ Block block_of(const Group& group, const std::optional<Published>& published, co
 Tables speedup_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>& published) {
   Tables tables;
   const Layout layout{any_certified(runs), std::ranges::any_of(runs, [](const RecordedRun& run) {
-                        return run.run.config.formulation == "quadric";
+                        return run.run.asked().formulation == "quadric";
                       })};
   for (const Group& group : groups_of(runs, published))
     tables.blocks.push_back(block_of(group, published, layout));

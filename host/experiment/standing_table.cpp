@@ -24,13 +24,13 @@ Sheet standing_sheet() {
                 {"verified", "part", "verified", true}});
 }
 
-std::string setting(const RunConfig& config, const std::string& name, const char* otherwise) {
+std::string setting(const Asked& config, const std::string& name, const char* otherwise) {
   const auto at = config.settings.find(name);
   return at == config.settings.end() ? otherwise : at->second;
 }
 
 /// The target as the command line names it, with a margin that was given.
-std::string target_text(const RunConfig& config) {
+std::string target_text(const Asked& config) {
   const std::string margin = setting(config, "problem.margin", "");
   return setting(config, "problem.target", "centre") + (margin.empty() ? "" : fmt::format(", {} mm", margin));
 }
@@ -42,7 +42,7 @@ std::optional<double> value_of(const RecordSummary& r, const std::string& name, 
 }
 
 std::vector<Cell> row_of(const std::string& heading, const RecordedRun& run) {
-  const RunConfig& config = run.run.config;
+  const Asked& config = run.run.asked();
   const SolveCells solve(run);
   std::vector<Cell> cells = {heading,           run.run.label,       config.formulation,
                              solver_of(config), target_text(config), termination_text(run),
@@ -65,7 +65,7 @@ std::vector<Cell> row_of(const std::string& heading, const RecordedRun& run) {
 Tables standing_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>& published) {
   Tables tables;
   for (const RecordedRun& run : runs) {
-    const std::string heading = fmt::format("{} {}", model_text(run.run.config), grid_text(run));
+    const std::string heading = fmt::format("{} {}", model_text(run.run.asked()), grid_text(run));
     Block& block = find_or_add(
         tables.blocks, [&](const Block& b) { return b.heading == heading; },
         [&] {

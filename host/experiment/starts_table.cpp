@@ -23,7 +23,7 @@ struct TaskRuns {
 std::vector<TaskRuns> tasks_of(const std::vector<RecordedRun>& runs) {
   std::vector<TaskRuns> tasks;
   for (const RecordedRun& run : runs) {
-    auto fields = describe(run.run.config);
+    auto fields = describe(run.run.run);
     fields.erase("moment.seed");
     const auto same = [&](const TaskRuns& t) { return t.label == run.run.label && t.fields == fields; };
     find_or_add(tasks, same, [&] { return TaskRuns{fields, run.run.label, {}}; }).runs.push_back(&run);
@@ -87,7 +87,7 @@ std::vector<Cell> cells_of(const TaskRuns& task) {
 
 Cell printed(const TaskRuns& task, const std::optional<Published>& published) {
   if (!published) return Cell::none();
-  const std::string model = model_text(task.runs.front()->run.config);
+  const std::string model = model_text(task.runs.front()->run.asked());
   const auto at = std::ranges::find_if(published->rows, [&](const PublishedRow& row) {
     return row.seconds && row.model == model && row.label == task.label;
   });
@@ -115,15 +115,15 @@ Tables starts_tables(const std::vector<RecordedRun>& runs, const std::optional<P
   std::string notes;
   for (const TaskRuns& task : tasks_of(runs)) {
     const RecordedRun& first = *task.runs.front();
-    std::vector<Cell> cells = {task.label, model_text(first.run.config), grid_text(first),
-                               first.run.config.problem};
+    std::vector<Cell> cells = {task.label, model_text(first.run.asked()), grid_text(first),
+                               first.run.asked().problem};
     for (Cell& cell : cells_of(task)) cells.push_back(std::move(cell));
     cells.push_back(printed(task, published));
     sheet.add(std::move(cells));
     for (const RecordedRun* run : task.runs) {
-      const auto seed = run->run.config.settings.find("moment.seed");
+      const auto seed = run->run.asked().settings.find("moment.seed");
       notes += note_of(*run, true,
-                       seed == run->run.config.settings.end()
+                       seed == run->run.asked().settings.end()
                            ? task.label
                            : fmt::format("{}, seed {}", task.label, seed->second));
     }

@@ -39,8 +39,8 @@ const std::vector<TableKind>& table_kinds() {
       {"linear-solvers", "a row a solve: seconds and iterations by MUMPS and by our own linear solver",
        linear_solver_tables},
       {"certificate", "a row a run: certified bound, gap, boxes, seconds", certificate_tables},
-      {"maps", "a row a map of orientations and draft: how much is feasible, which axis is best",
-       maps_tables},
+      {"maps", "a row a map of orientations and draft: how much is feasible, which axis is best", maps_tables,
+       false, "map"},
       {"standing",
        "a block a body: height of the centre of mass and tilt, by target and solver, beside a paper",
        standing_tables},
@@ -49,7 +49,8 @@ const std::vector<TableKind>& table_kinds() {
       {"voids", "a row a run: pieces of the void, islands, planar cuts, beside a paper", voids_tables},
       {"tops", "a row a run: height, moments and least speed of the solid and the part, beside a paper",
        top_tables},
-      {"simulation", "a row a run: solid and part set spinning beside each other", simulation_tables},
+      {"simulation", "a row a run: solid and part set spinning beside each other", simulation_tables, false,
+       "simulation"},
       {"inertia", "a block a run: inertia tensor and principal moments before and after", inertia_tables},
       {"octree",
        "a row a run: cells, seconds and memory from the model to the written part, and what it reaches",
@@ -81,9 +82,11 @@ std::vector<RecordedRun> collect(const Experiment& experiment, const std::filesy
     RecordedRun& recorded = runs.emplace_back();
     recorded.run = run;
     if (!std::filesystem::exists(path, ignored)) continue;
-    if (run.nest)
+    if (std::holds_alternative<NestConfig>(run.run))
       recorded.nest = read_nest(path);
-    else if (run.config.map && is_map(path))
+    else if (std::holds_alternative<SimulationRun>(run.run))
+      recorded.simulation = read_simulation(path);
+    else if (std::holds_alternative<MapRun>(run.run) && is_map(path))
       recorded.map = read_map(path);
     else
       recorded.record = read_record(path);
@@ -139,7 +142,7 @@ Tables runs_tables(const std::vector<RecordedRun>& runs, const std::optional<Pub
     const SolveCells solve(run);
     std::vector<Cell> cells = opening_cells(run);
     cells.insert(cells.end(),
-                 {solver_of(run.run.config), solve.variables, solve.iterations, termination_text(run),
+                 {solver_of(run.run.asked()), solve.variables, solve.iterations, termination_text(run),
                   solve.seconds, solve.half_iqr, solve.samples, solve.objective, solve.violation,
                   solve.verified, solve.device, solve.commit, run.record ? run.record->error : ""});
     if (certified) cells.push_back(gap_cell(run));

@@ -13,6 +13,7 @@
 #include "record/map_record.hpp"
 #include "record/nest_record.hpp"
 #include "record/record.hpp"
+#include "record/simulation_record.hpp"
 
 namespace kreisel::core {
 
@@ -22,10 +23,15 @@ struct RecordedRun {
   std::optional<RecordSummary> record;  ///< of a solve, or of what failed; empty: it did not run yet
   std::optional<MapSummary> map;        ///< of a map
   std::optional<NestSummary> nest;      ///< of a nesting
+  std::optional<SimulationSummary> simulation;
 
   /// The record's file; empty where there is none.
   [[nodiscard]] std::filesystem::path path() const {
-    return nest ? nest->path : map ? map->path : record ? record->path : std::filesystem::path();
+    return nest         ? nest->path
+           : map        ? map->path
+           : simulation ? simulation->path
+           : record     ? record->path
+                        : std::filesystem::path();
   }
 };
 
@@ -33,7 +39,8 @@ struct RecordedRun {
 struct TableKind {
   std::string_view name, summary;
   Tables (*make)(const std::vector<RecordedRun>& runs, const std::optional<Published>& published);
-  bool nestings = false;  ///< sets out nestings, not solves or maps
+  bool nestings = false;            ///< sets out nestings
+  std::string_view runs = "solve";  ///< else runs of this kind
 };
 
 [[nodiscard]] const std::vector<TableKind>& table_kinds();

@@ -38,19 +38,19 @@ std::string termination_text(const RecordedRun& run) {
 }
 
 std::string grid_text(const RecordedRun& run) {
-  GridSpec grid = run.run.config.grid;
+  GridSpec grid = run.run.asked().grid;
   if (!grid.cells && has_result(run)) grid.cells = run.record->grid;
   return grid_text(grid);
 }
 
 const PublishedRow* find_row(const RecordedRun& run, const std::optional<Published>& published) {
   if (!published) return nullptr;
-  std::optional<std::array<int, 3>> cells = run.run.config.grid.cells;
+  std::optional<std::array<int, 3>> cells = run.run.asked().grid.cells;
   if (!cells && has_result(run)) cells = run.record->grid;
-  std::map<std::string, std::string> settings = run.run.config.settings;
-  for (const auto& [name, value] : find_problem(run.run.config.problem).weights)
+  std::map<std::string, std::string> settings = run.run.asked().settings;
+  for (const auto& [name, value] : find_problem(run.run.asked().problem).weights)
     settings.try_emplace("problem." + name, value);
-  return published->find(model_text(run.run.config), cells, run.run.config.problem, settings);
+  return published->find(model_text(run.run.asked()), cells, run.run.asked().problem, settings);
 }
 
 bool any_certified(const std::vector<RecordedRun>& runs) {
@@ -68,7 +68,7 @@ std::string note_of(const RecordedRun& run, bool unless_optimal, std::string nam
   const RecordSummary& r = *run.record;
   if (r.error.empty() && !unless_optimal) return "";
   const std::string& words = r.error.empty() ? r.message : r.error;
-  if (name.empty()) name = run_text(run.run.config);
+  if (name.empty()) name = run_text(run.run);
   return fmt::format("! {}: {}{}{}\n", name, termination_text(run), words.empty() ? "" : " - ", words);
 }
 
@@ -83,7 +83,7 @@ Sheet sheet_of_runs(std::vector<Sheet::Column> more, bool labels) {
 }
 
 std::vector<Cell> opening_cells(const RecordedRun& run) {
-  const RunConfig& config = run.run.config;
+  const Asked& config = run.run.asked();
   return {run.run.label, model_text(config), grid_text(run), config.problem, config.formulation};
 }
 

@@ -35,12 +35,12 @@ Sheet empty_sheet(bool tops, bool certified) {
   return sheet_of_runs(std::move(columns), false);
 }
 
-bool falls(const RunConfig& config) { return config.problem != "yoyo"; }  // that spins about its own centre
+bool falls(const Asked& config) { return !find_problem(config.problem).centred; }
 
 /// What tells the rows of a block apart: how the body lies and is parted, and what its problem weighs.
-std::string settings_text(const RunConfig& config) {
+std::string settings_text(const Run& run) {
   std::vector<std::string> parts;
-  for (const auto& [name, value] : describe(config)) {
+  for (const auto& [name, value] : describe(run)) {
     const bool of_body = name == "axis" || name == "contact" || name == "axle";
     if (of_body || name.starts_with("problem."))
       parts.push_back(fmt::format("{}={}", of_body ? name : name.substr(8), value));
@@ -49,11 +49,11 @@ std::string settings_text(const RunConfig& config) {
 }
 
 std::vector<Cell> row_of(const RecordedRun& run, const std::optional<Published>& published, bool certified) {
-  const RunConfig& config = run.run.config;
+  const Asked& config = run.run.asked();
   const SolveCells solve(run);
   std::vector<Cell> row = opening_cells(run);
   row.insert(row.end(),
-             {to_string(config.wall), settings_text(config), termination_text(run), solve.objective});
+             {to_string(config.wall), settings_text(run.run.run), termination_text(run), solve.objective});
   if (has_result(run) && run.record->written[S1] > 0) {
     const RecordSummary& r = *run.record;
     const SpinState solid = spin_state(r.solid), part = spin_state(r.written);
@@ -83,7 +83,7 @@ std::vector<Cell> row_of(const RecordedRun& run, const std::optional<Published>&
 
 Tables top_tables(const std::vector<RecordedRun>& runs, const std::optional<Published>& published) {
   const bool certified = any_certified(runs),
-             tops = std::ranges::any_of(runs, [](const RecordedRun&run) { return falls(run.run.config); });
+             tops = std::ranges::any_of(runs, [](const RecordedRun&run) { return falls(run.run.asked()); });
   Tables tables;
   for (const RecordedRun& run : runs) {
     Block& block = find_or_add(

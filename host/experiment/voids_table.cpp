@@ -24,9 +24,9 @@ Sheet voids_sheet() {
 }
 
 bool belongs(const PublishedRow& row, const RecordedRun& run) {
-  return row.voids && row.model == model_text(run.run.config) &&
+  return row.voids && row.model == model_text(run.run.asked()) &&
          (row.label.empty() || row.label == run.run.label) &&
-         (row.problem.empty() || row.problem == run.run.config.problem);
+         (row.problem.empty() || row.problem == run.run.asked().problem);
 }
 
 const PublishedRow::Voids* printed_voids(const RecordedRun& run, const std::optional<Published>& published) {

@@ -6,8 +6,8 @@ void write_vector(hdf5::Group& group, const std::string& name, const Vec3& v, co
   group.write(name, {v.data(), 3}, {3}, {units, {"x", "y", "z"}});
 }
 
-void write_config(hdf5::Group group, const RunConfig& config) {
-  for (const auto& [key, value] : describe(config)) group.set(key, value);
+void write_config(hdf5::Group group, const std::map<std::string, std::string>& fields) {
+  for (const auto& [key, value] : fields) group.set(key, value);
 }
 
 void write_provenance(hdf5::Group group, const Provenance& p) {

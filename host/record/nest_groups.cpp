@@ -71,7 +71,7 @@ void write_landscape(Group group, const NestResult& result) {
   const auto nx = static_cast<std::size_t>(map.nx), ny = static_cast<std::size_t>(map.ny);
   const std::size_t best = map.best();
   group.set("step", map.step);
-  group.set("rotations", result.config.rotations);
+  group.set("rotations", std::get<NestOutlines>(result.config.kind).rotations);
   group.set("inside", static_cast<std::int64_t>(map.inside));
   group.set("descents", static_cast<std::int64_t>(map.descents));
   group.set("seconds", map.seconds);

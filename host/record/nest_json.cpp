@@ -40,7 +40,7 @@ json common(const NestResult& result) {
 
 json to_json(const nest::Accuracy& accuracy, const NestResult& result) {
   json out = common(result);
-  out["seed"] = result.config.search.swarm.seed;
+  out["seed"] = seed_of(result.config);
   out["placements"] = accuracy.placements;
   out["nested"] = accuracy.nested;
   out["exact_agrees"] = accuracy.exact_agrees;
@@ -84,7 +84,7 @@ json to_json(const NestLandscape& landscape, const NestResult& result) {
   const nest::Landscape& map = landscape.map;
   const Vec2 at = map.at(map.best());
   out["centroids"] = {map.nx, map.ny};
-  out["rotations"] = result.config.rotations;
+  out["rotations"] = std::get<NestOutlines>(result.config.kind).rotations;
   out["inside"] = map.inside;
   out["searched_to_the_end"] = map.descents;
   out["scale"] = result.scale;
@@ -100,13 +100,14 @@ json to_json(const NestResult& result) {
   if (result.accuracy) return to_json(*result.accuracy, result);
   if (result.landscape) return to_json(*result.landscape, result);
   const NestConfig& config = result.config;
-  const bool swarm = !config.free.empty();
+  const auto* swarm = part_of<NestSearch>(config);
+  const auto* by = part_of<NestDecision>(config);
   json out = common(result);
-  out["variant"] = config.variant;
-  out["resolution"] = config.resolution;
-  out["seed"] = swarm ? json(config.search.swarm.seed) : json();
-  out["free"] = config.free;
-  out["swarm"] = swarm ? json(config.swarm) : json();
+  out["variant"] = by->variant;
+  out["resolution"] = by->resolution;
+  out["seed"] = swarm ? json(seed_of(config)) : json();
+  out["free"] = swarm ? swarm->free : "";
+  out["swarm"] = swarm ? json(swarm->swarm) : json();
   if (swarm)
     for (const nest::SwarmStep& step : result.trace)
       out["trace"].push_back({step.iteration, step.evaluations, step.best});

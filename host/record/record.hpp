@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "file/write_text.hpp"
+#include "run/run.hpp"
 #include "session/result.hpp"
 
 namespace kreisel::core {
@@ -22,9 +23,10 @@ inline constexpr const char* no_part = "none made, none verified: part = none";
 /// @throws InputError  the folder cannot be written
 void write_record(const std::filesystem::path& path, const RunResult& result);
 
-/// A run that ended in an error before there was a result: configuration, provenance and the message.
+/// A run of any kind that ended in an error before there was a result: configuration, provenance and the
+/// message.
 /// @throws InputError  the folder cannot be written
-void write_failure(const std::filesystem::path& path, const RunConfig& config, const Provenance& provenance,
+void write_failure(const std::filesystem::path& path, const Run& run, const Provenance& provenance,
                    const std::string& message);
 
 /// What tables and `bench show` need of a record.

@@ -10,7 +10,7 @@ namespace kreisel::core {
 
 /// What files of each kind say in the attribute `schema`.
 inline constexpr const char *run_schema = "kreisel run", *map_schema = "kreisel map",
-                            *nest_schema = "kreisel nesting";
+                            *nest_schema = "kreisel nesting", *simulation_schema = "kreisel simulation";
 
 /// The attribute `schema`; empty where there is none.
 [[nodiscard]] std::string schema_of(const hdf5::File& file);

@@ -120,7 +120,7 @@ void write_map(const std::filesystem::path& path, const OrientationMap& map) {
   file.write("miss", column(map, [](const MapAnswer& a) { return a.miss; }), shape,
              {"body units", map.cases});
   write_values(file.new_group("values"), map);  // apart: a problem chooses these names
-  write_config(file.new_group("config"), map.config);
+  write_config(file.new_group("config"), describe(map.config));
   write_provenance(file.new_group("provenance"), map.provenance);
   write_domain(file.new_group("domain"), map);
   file.close();

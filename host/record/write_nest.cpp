@@ -72,7 +72,7 @@ void write_nest(const std::filesystem::path& path, const NestResult& result) {
   write_asked(file, result.config, result.provenance);
   file.set("outer", result.config.outer);
   file.set("inner", result.config.inner.empty() ? result.config.outer : result.config.inner);
-  file.set("seed", static_cast<std::int64_t>(result.config.search.swarm.seed));
+  file.set("seed", static_cast<std::int64_t>(seed_of(result.config)));
   file.set("outer_triangles", result.outer_triangles);
   file.set("inner_triangles", result.inner_triangles);
   file.set("termination", termination_of(result));

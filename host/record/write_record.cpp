@@ -3,7 +3,9 @@
 
 #include "record/common_groups.hpp"
 #include "record/hdf5_file.hpp"
+#include "record/nest_record.hpp"
 #include "record/record.hpp"
+#include "record/simulation_record.hpp"
 #include "record/write_certificate.hpp"
 
 namespace kreisel::core {
@@ -29,7 +31,7 @@ void write_seconds(Group& group, const std::string& name, const std::vector<Seco
   group.write(name, values, {rows.size(), 4}, {"s", {"setup", "kernels", "solve", "total"}});
 }
 
-void write_root(Group& root, const RunConfig& config, const std::string& model) {
+void write_root(Group& root, const Asked& config, const std::string& model) {
   root.set("schema", "kreisel run");
   root.set("schema_version", record_schema_version);
   root.set("moments_order", fmt::format("{}", fmt::join(moment_names, " ")));
@@ -233,7 +235,7 @@ void write_record(const std::filesystem::path& path, const RunResult& r) {
     file.set("variables", r.variables);
     file.set("whole_seconds", r.whole_seconds);
     file.set("peak_bytes", r.peak_bytes);
-    write_config(file.new_group("config"), r.config);
+    write_config(file.new_group("config"), describe(r.config));
     write_provenance(file.new_group("provenance"), r.provenance);
     write_body(file.new_group("body"), r);
     write_domain(file.new_group("domain"), r);
@@ -253,12 +255,16 @@ void write_record(const std::filesystem::path& path, const RunResult& r) {
   });
 }
 
-void write_failure(const std::filesystem::path& path, const RunConfig& config, const Provenance& provenance,
+void write_failure(const std::filesystem::path& path, const Run& run, const Provenance& provenance,
                    const std::string& message) {
+  if (const auto* nest = std::get_if<NestConfig>(&run))
+    return write_nest_failure(path, *nest, provenance, message);
+  if (const auto* simulation = std::get_if<SimulationRun>(&run))
+    return write_simulation_failure(path, *simulation, provenance, message);
   write_whole(path, [&](hdf5::File& file) {
-    write_root(file, config, std::filesystem::path(config.body.model).stem().string());
+    write_root(file, *asked_of(run), model_text(*asked_of(run)));
     file.set("error", message);
-    write_config(file.new_group("config"), config);
+    write_config(file.new_group("config"), describe(run));
     write_provenance(file.new_group("provenance"), provenance);
   });
 }

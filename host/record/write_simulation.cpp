@@ -7,6 +7,7 @@
 #include "physics/units.hpp"
 #include "record/common_groups.hpp"
 #include "record/hdf5_file.hpp"
+#include "record/schema.hpp"
 #include "record/simulation_record.hpp"
 
 namespace kreisel::core {
@@ -75,6 +76,13 @@ void write_body(Group group, const SimulatedBody& body, double length_mm) {
   group.set("text", body.verdict.text);
   Group values = group.new_group("values");
   for (const auto& [name, value] : body.verdict.values) values.set(name, value);
+  if (body.above) {
+    Group above = group.new_group("stable_above");
+    above.set("eq1", body.above->eq1);
+    above.set("gliding", body.above->gliding);
+    above.set("held", body.above->held);
+    above.set("units", "1/min");
+  }
   if (body.spin) write_spin(group.new_group("spin"), *body.spin);
   if (body.fall) {
     Group fall = group.new_group("fall");
@@ -139,6 +147,9 @@ json to_json(const RightingArm& arm, double length_mm) {
 
 json to_json(const SimulatedBody& body, double length_mm) {
   json all = {{"ok", body.verdict.ok}, {"text", body.verdict.text}, {"values", body.verdict.values}};
+  if (body.above)
+    all["stable_above_rpm"] = {
+        {"eq1", body.above->eq1}, {"gliding", body.above->gliding}, {"held", body.above->held}};
   if (body.spin) all["spin"] = to_json(*body.spin);
   if (body.fall)
     all["fall"] = {{"acceleration_g", body.fall->acceleration}, {"tension_weights", body.fall->tension}};
@@ -154,12 +165,34 @@ json to_json(const SimulatedBody& body, double length_mm) {
 
 }  // namespace
 
+namespace {
+
+void write_asked(hdf5::File& file, const SimulationRun& run, const std::string& model,
+                 const Provenance& provenance) {
+  file.set("schema", simulation_schema);
+  file.set("schema_version", simulation_schema_version);
+  file.set("model", model);
+  file.set("problem", run.problem);
+  write_config(file.new_group("config"), describe(run));
+  write_provenance(file.new_group("provenance"), provenance);
+}
+
+}  // namespace
+
+void write_simulation_failure(const std::filesystem::path& path, const SimulationRun& run,
+                              const Provenance& provenance, const std::string& message) {
+  hdf5::File file = hdf5::File::create(path);
+  write_asked(file, run, model_text(run), provenance);
+  file.set("error", message);
+  file.close();
+}
+
 void write_simulation(const std::filesystem::path& path, const Simulation& s) {
   hdf5::File file = hdf5::File::create(path);
-  file.set("schema", "kreisel simulation");
-  file.set("schema_version", simulation_schema_version);
-  file.set("model", s.body_name);
-  file.set("problem", s.config.problem);
+  write_asked(file, s.config, s.body_name, s.provenance);
+  file.set("made", s.made);
+  if (!s.termination.empty()) file.set("termination", s.termination);
+  if (!s.made) return file.close();
   file.set("length", s.length_mm);
   file.set("length_units", "mm");
   file.set("mass_unit", s.mass_unit_grams);
@@ -177,8 +210,6 @@ void write_simulation(const std::filesystem::path& path, const Simulation& s) {
   file.set("hollow", s.hollow);
   write_body(file.new_group("solid"), s.solid, s.length_mm);
   write_body(file.new_group("part"), s.part, s.length_mm);
-  write_config(file.new_group("config"), s.config);
-  write_provenance(file.new_group("provenance"), s.provenance);
   file.close();
 }
 
@@ -186,6 +217,7 @@ json to_json(const Simulation& s) {
   json all = {{"model", s.body_name},
               {"problem", s.config.problem},
               {"hollow", s.hollow},
+              {"made", s.made},
               {"solid", to_json(s.solid, s.length_mm)},
               {"part", to_json(s.part, s.length_mm)},
               {"config", describe(s.config)},

@@ -99,7 +99,7 @@ TEST_F(AbsentFiles, OfSolvesAndMapsAreSkippedAsWell) {
   hooks_.run = [](const RunConfig&, const std::string&, const Control&) -> RunOutput {
     throw std::runtime_error("a run without its mesh");
   };
-  hooks_.map = [](const RunConfig&, const Control&) -> OrientationMap {
+  hooks_.map = [](const MapRun&, const Control&) -> OrientationMap {
     throw std::runtime_error("a map without its mesh");
   };
   for (const char* text :
@@ -114,10 +114,11 @@ TEST_F(AbsentFiles, OfSolvesAndMapsAreSkippedAsWell) {
 
 TEST_F(AbsentFiles, AreLeftOutOfEveryKindOfTableWithANote) {
   for (const TableKind& kind : table_kinds()) {
-    const std::string run = kind.nestings ? "outer = 'absent.stl'\nseed = [1, 2]"
-                            : kind.name == "maps"
-                                ? "axes = 2\nmodel = 'absent.stl'\nproblem = ['spin', 'float']"
-                                : "model = 'absent.stl'\nresolution = [32, 48]";
+    const std::string run =
+        kind.nestings ? "outer = 'absent.stl'\nseed = [1, 2]"
+        : kind.runs == "map"
+            ? "axes = 2\nmodel = 'absent.stl'\nproblem = ['spin', 'float']"
+            : "kind = '" + std::string(kind.runs) + "'\nmodel = 'absent.stl'\nresolution = [32, 48]";
     const Experiment experiment =
         parse_experiment("table = '" + std::string(kind.name) + "'\n[[run]]\n" + run, "t.toml");
     const Tables tables = tables_of(experiment, collect(experiment, options_.results));
@@ -135,7 +136,7 @@ TEST_F(AbsentFiles, AreNotModelsNorNamesThatNobodyKnows) {
   for (const char* model :
        {"bear", "bunny", "beer"}) {  // of ours, of Debian's, of nobody: that one is refused
     ExperimentRun run;
-    run.config.body.model = model;
+    run.asked().body.model = model;
     EXPECT_EQ(text_of_absent(run), "") << model;
   }
 }

@@ -30,7 +30,7 @@ TEST(CertificateTable, SetsTheBoundBesideTheObjective) {
 TEST(CertificateTable, HasDashesForWhatWasNotCertifiedOrDidNotRun) {
   RecordedRun plain = optimal_run(), missing = certified_run();
   plain.record->domain = "exact";
-  plain.run.config.problem = "stand";
+  plain.run.asked().problem = "stand";
   missing.record.reset();
   const std::string text = to_text(certificate_tables({plain, missing}, {}));
   EXPECT_EQ(squeezed_line(text, "ellipsoid  40x26x26  stand"),

@@ -52,7 +52,7 @@ TEST(InertiaTable, SeesATiltAndWhichMomentIsTheLargest) {
 
 TEST(InertiaTable, PutsThePapersBirdBesideOursAsPrintedAndRelativeToItsOwnIzz) {
   RecordedRun run = box_run(box());
-  run.run.config.body.model = "bird";
+  run.run.asked().body.model = "bird";
   const auto printed = read_published(published_file("rayrep_bird"));
   const std::string text = inertia_tables({run}, printed).blocks[0].sheet.text();
   EXPECT_TRUE(
@@ -69,7 +69,7 @@ TEST(InertiaTable, PutsThePapersBirdBesideOursAsPrintedAndRelativeToItsOwnIzz) {
 
 TEST(InertiaTable, ShowsThePaperAloneBeforeTheRun) {
   RecordedRun run = optimal_run();
-  run.run.config.body.model = "bird";
+  run.run.asked().body.model = "bird";
   run.record.reset();
   const Tables tables = inertia_tables({run}, read_published(published_file("rayrep_bird")));
   EXPECT_EQ(tables.blocks[0].sheet.rows().size(), 2u);

@@ -37,7 +37,7 @@ TEST(LinearSolverTable, ComparesConvergedSolvesAlone) {
 
 TEST(LinearSolverTable, TakesARunWithoutTheOption) {
   RecordedRun own = run_by("", 0.04, 0.8);
-  own.run.config.settings.clear();
+  own.run.asked().settings.clear();
   const Tables tables = linear_solver_tables({own}, {});
   EXPECT_EQ(squeezed_line(tables.blocks[0].sheet.text(), "exact"),
             "exact ellipsoid 40x26x26 rayrep 1300 | - - - | 0.040 20 2.00 | - | -");

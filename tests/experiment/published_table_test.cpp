@@ -43,8 +43,8 @@ TEST(PublishedTable, SetsARunBesideThePapersRow) {
 
 TEST(PublishedTable, LeavesThePaperEmptyWhereItHasNoSuchRow) {
   RecordedRun other_problem = optimal_run(), other_way = optimal_run();
-  other_problem.run.config.problem = "float";
-  other_way.run.config.formulation = "voxel";  // the row has ray-reps alone
+  other_problem.run.asked().problem = "float";
+  other_way.run.asked().formulation = "voxel";  // the row has ray-reps alone
   const Tables tables = published_tables({other_problem, other_way}, printed());
   const std::string text = to_text(tables);
   EXPECT_EQ(squeezed_line(text, "ellipsoid  40x26x26  float"),

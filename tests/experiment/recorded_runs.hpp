@@ -13,8 +13,8 @@ namespace kreisel::core {
 /// 0.8.
 inline RecordedRun optimal_run(std::map<std::string, std::string> settings = {}) {
   RecordedRun run;
-  run.run.config.grid.cells = {40, 26, 26};
-  run.run.config.settings = std::move(settings);
+  run.run.asked().grid.cells = {40, 26, 26};
+  run.run.asked().settings = std::move(settings);
   RecordSummary& r = run.record.emplace();
   r.grid = {40, 26, 26};
   r.termination = "optimal";

@@ -9,7 +9,7 @@ namespace {
 
 RecordedRun run_with(const std::string& start, double seconds, double objective) {
   RecordedRun run = optimal_run({{"ipopt.max_iter", "300"}});
-  if (!start.empty()) run.run.config.settings["solver.start"] = start;
+  if (!start.empty()) run.run.asked().settings["solver.start"] = start;
   run.record->median.solve = seconds;
   run.record->samples = {run.record->median};
   run.record->objective = objective;
@@ -53,11 +53,11 @@ TEST(SettingsTable, HasABlockForEachBodyAndFormulationAndSaysAFactorOnce) {
   for (const char* formulation : {"rayrep", "voxel"})
     for (const char* start : {"", "lower", "upper"}) {
       runs.push_back(run_with(start, 1, 1));
-      runs.back().run.config.formulation = formulation;
+      runs.back().run.asked().formulation = formulation;
       runs.back().run.label = *start ? "start" : "defaults";
     }
   runs.push_back(run_with("", 1, 1));
-  runs.back().run.config.grid.cells = {54, 35, 34};
+  runs.back().run.asked().grid.cells = {54, 35, 34};
   const Tables tables = settings_tables(runs, {});
   ASSERT_EQ(tables.blocks.size(), 3u);
   EXPECT_TRUE(tables.blocks[1].heading.starts_with("ellipsoid 40x26x26, spin, voxel;"))
@@ -70,10 +70,10 @@ TEST(SettingsTable, HasABlockForEachBodyAndFormulationAndSaysAFactorOnce) {
 
 TEST(FormulationsTable, ComparesFormulationsOfOneBodyAndDomain) {
   RecordedRun quadric = run_with("", 0.5, 0.8), rays = run_with("", 2, 0.88), exact = run_with("", 1, 0.7);
-  for (RecordedRun* run : {&quadric, &exact}) run->run.config.formulation = "quadric";
-  quadric.run.config.domain = "columns";
+  for (RecordedRun* run : {&quadric, &exact}) run->run.asked().formulation = "quadric";
+  quadric.run.asked().domain = "columns";
   quadric.record->gap = 1e-3;
-  rays.run.config.settings["formulation.bounds"] = "midpoint";
+  rays.run.asked().settings["formulation.bounds"] = "midpoint";
   const Tables tables = formulations_tables({quadric, rays, exact}, {});
   ASSERT_EQ(tables.blocks.size(), 2u) << "what is exact is not compared with columns";
   EXPECT_TRUE(tables.blocks[0].heading.starts_with("ellipsoid 40x26x26, spin, domain columns; in all: "))

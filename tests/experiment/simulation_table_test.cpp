@@ -2,45 +2,48 @@
 
 #include <gtest/gtest.h>
 
-#include "experiment/recorded_runs.hpp"
-#include "physics/test_bodies.hpp"
+#include <cmath>
 
 namespace kreisel::core {
 namespace {
 
-TEST(SimulationTable, HasAPartThatSpinsWhereItsSolidFalls) {
-  RecordedRun run = optimal_run();
-  run.run.config.problem = "spin";
-  RecordSummary& r = *run.record;
-  r.length_mm = 40;
-  r.solid = moments_of(1, Vec3(0.05, 0, 0.6), Vec3(0.1, 0.11, 0.105).asDiagonal());
-  r.written = moments_of(0.4, 0.5, {0.05, 0.052, 0.07});
-  const Tables tables = simulation_tables({run}, {});
-  ASSERT_EQ(tables.blocks[0].sheet.rows().size(), 1u);
-  const auto& row = tables.blocks[0].sheet.rows()[0];
-  EXPECT_EQ(row[1].text, "-") << "the solid's Izz is not the largest";
-  // sqrt(M g l / (Izz - Iyy)) rpm, l = 0.5 L = 20 mm; of unequal moments the spectrum's bound is the same.
-  EXPECT_EQ(row[4].text, "498");
-  EXPECT_EQ(row[5].text, "498");
-  EXPECT_EQ(row[7].text, "gliding");
-  EXPECT_EQ(row[8].text, "548") << "a tenth more";
-  EXPECT_NE(row[9].text, "stable");
-  EXPECT_EQ(row[11].text, "stable");
-  EXPECT_LT(std::stod(row[12].data), 10);
+RecordedRun simulated_run(const std::string& model) {
+  RecordedRun run;
+  run.run.run = SimulationRun();
+  run.run.asked().body.model = model;
+  SimulationSummary& s = run.simulation.emplace();
+  s.contact = "gliding";
+  s.rpm = 548.2;
+  s.solid = {StableAbove{std::nan(""), std::nan(""), std::nan("")}, "no steady spin", 60, 0.25};
+  s.part = {StableAbove{498.1, 498.2, 510.4}, "stable", 1.234, {}};
+  return run;
+}
 
-  // A solid that is nearly as good is told apart at a speed between the two.
-  r.solid = moments_of(0.4, 0.5, {0.05, 0.0525, 0.07});
-  const auto near = simulation_tables({run}, {}).blocks[0].sheet.rows()[0];
-  EXPECT_EQ(near[8].text, "502");
-  EXPECT_EQ(near[9].text, "unstable");
-  EXPECT_EQ(near[11].text, "stable");
-
-  // Nothing to say of what was not run, or does not spin.
-  RecordedRun none = optimal_run();
-  none.record.reset();
-  EXPECT_TRUE(simulation_tables({none}, {}).blocks[0].sheet.rows().empty());
-  run.run.config.problem = "stand";
-  EXPECT_TRUE(simulation_tables({run}, {}).blocks[0].sheet.rows().empty());
+TEST(SimulationTable, SetsOutWhatIsOnRecord) {
+  RecordedRun still = simulated_run("bird"), none = simulated_run("duck"), failed = simulated_run("bear"),
+              not_run = simulated_run("heart");
+  still.simulation->contact.clear();
+  none.simulation->made = false;
+  none.simulation->termination = "infeasible";
+  none.simulation->solid = none.simulation->part = {};
+  failed.simulation->error = "no such thing";
+  failed.simulation->solid = failed.simulation->part = {};
+  not_run.simulation.reset();
+  const Tables tables = simulation_tables({simulated_run("ellipsoid"), still, none, failed, not_run}, {});
+  const auto& rows = tables.blocks[0].sheet.rows();
+  ASSERT_EQ(rows.size(), 2u) << "nothing to say of what was not run, failed, or made no part";
+  const auto texts = [](const auto& row) {
+    std::string all;
+    for (const Cell& cell : row) all += cell.text + "|";
+    return all;
+  };
+  EXPECT_EQ(texts(rows[0]),
+            "ellipsoid|-|-|-|498|498|510|gliding|548|no steady spin|falls in 0.25 s|stable|1.23|");
+  EXPECT_EQ(texts(rows[1]), "bird|-|-|-|498|498|510|-|-|-|-|-|-|");
+  const std::string& notes = tables.blocks[0].notes;
+  EXPECT_NE(notes.find("duck 64 spin simulation: infeasible, no part\n"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("bear 64 spin simulation: error - no such thing\n"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("heart 64 spin simulation: not run\n"), std::string::npos) << notes;
 }
 
 }  // namespace

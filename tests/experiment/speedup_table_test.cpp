@@ -12,8 +12,8 @@ namespace {
 
 RecordedRun run_of(const std::string& formulation, double seconds, double objective, double gap) {
   RecordedRun run = optimal_run();
-  run.run.config.formulation = formulation;
-  run.run.config.domain = "columns";
+  run.run.asked().formulation = formulation;
+  run.run.asked().domain = "columns";
   RecordSummary& r = *run.record;
   r.median = {0, 0, seconds, seconds};
   r.samples = {r.median};

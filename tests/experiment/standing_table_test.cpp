@@ -12,16 +12,16 @@ namespace {
 RecordedRun dinosaur(const std::string& label) {
   RecordedRun run = optimal_run();
   run.run.label = label;
-  run.run.config.body.model = "dino";
-  run.run.config.problem = "stand";
-  run.run.config.formulation = "voxel";
+  run.run.asked().body.model = "dino";
+  run.run.asked().problem = "stand";
+  run.run.asked().formulation = "voxel";
   return run;
 }
 
 TEST(StandingTable, GivesHeightAndTiltBesideThePapers) {
   RecordedRun swept = dinosaur("plane sweep"), none = dinosaur("optimum");
-  swept.run.config.solver = "plane-sweep";
-  swept.run.config.settings = {{"problem.target", "inside"}, {"problem.margin", "0"}};
+  swept.run.asked().solver = "plane-sweep";
+  swept.run.asked().settings = {{"problem.target", "inside"}, {"problem.margin", "0"}};
   swept.record->verified_values = {
       {"height_share", 0.5125}, {"off_centroid_mm", 0.25}, {"inside_mm", 0.75}, {"tilt_degrees", 3.5}};
   swept.record->written[S1] = 0.5;
@@ -41,8 +41,8 @@ TEST(StandingTable, GivesHeightAndTiltBesideThePapers) {
 
 TEST(VoidsTable, CountsVoidsAndCutsBesideThePapersOfThatModelAndLabel) {
   RecordedRun run = dinosaur("hand");
-  run.run.config.body.model = "armadillo";
-  run.run.config.problem = "top";
+  run.run.asked().body.model = "armadillo";
+  run.run.asked().problem = "top";
   run.record->voids = 3;
   run.record->islands = 1;
   run.record->cuts = 2;
@@ -66,7 +66,7 @@ TEST(VoidsTable, ShowsAPublishedRowThatNoRunIsOfWithThePapersFiguresAlone) {
             "- dancing-couple - top - no run - - | - - - - - | 1 5")
       << text;
   EXPECT_TRUE(squeezed_line(text, "-      dino").ends_with("| 1 1")) << text;
-  stands.run.config.problem = "spin";
+  stands.run.asked().problem = "spin";
   const std::string spins = voids_tables({stands}, paper).blocks[0].sheet.text();
   EXPECT_TRUE(squeezed_line(spins, "-      dino").ends_with("| - -")) << "the paper's stands\n" << spins;
 }

@@ -11,9 +11,9 @@ namespace {
 RecordedRun start(const std::string& label, const std::string& seed, double objective, int evaluations) {
   RecordedRun run = optimal_run({{"moment.seed", seed}});
   run.run.label = label;
-  run.run.config.body.model = "heart";
-  run.run.config.problem = "top";
-  run.run.config.formulation = "quadric";
+  run.run.asked().body.model = "heart";
+  run.run.asked().problem = "top";
+  run.run.asked().formulation = "quadric";
   RecordSummary& r = *run.record;
   r.objective = objective;
   r.evaluations = evaluations;

@@ -122,10 +122,10 @@ TEST(TableParts, HalfTheInterquartileRangeIsInterpolated) {
 RecordedRun made_by_hand(const Literal& row, bool rays, const std::string& label = "paper") {
   RecordedRun run;
   run.run.label = label;
-  run.run.config.body.model = row.model;
-  run.run.config.grid.cells = row.grid;
-  run.run.config.formulation = rays ? "rayrep" : "voxel";
-  run.run.config.settings = {{"ipopt.tol", rays ? "1e-8" : "1e-7"}};
+  run.run.asked().body.model = row.model;
+  run.run.asked().grid.cells = row.grid;
+  run.run.asked().formulation = rays ? "rayrep" : "voxel";
+  run.run.asked().settings = {{"ipopt.tol", rays ? "1e-8" : "1e-7"}};
   RecordSummary& r = run.record.emplace();
   r.grid = row.grid;
   r.termination = "optimal";
@@ -244,7 +244,7 @@ TEST(SpeedupTable, ShowsADashForWhatDidNotRunOrEndedInAnError) {
 TEST(SpeedupTable, ShowsTheLimitThatARunMetInPlaceOfItsSeconds) {
   auto runs = whole_table();
   runs.resize(2);
-  runs[1].run.config.limits = {8, 600};
+  runs[1].run.solve().limits = {8, 600};
   runs[1].record = RecordSummary{};
   runs[1].record->error = "more than 8 GB";
   EXPECT_EQ(line_with(speedup_text(runs, published()), "ellipsoid 80x52x51"),
@@ -256,7 +256,7 @@ TEST(SpeedupTable, HasTheSetUpBesideAQuadric) {
   runs.resize(2);
   EXPECT_EQ(speedup_text(runs, published()).find("set-up:"), std::string::npos);
   runs.push_back(runs[0]);
-  runs[2].run.config.formulation = "quadric";
+  runs[2].run.asked().formulation = "quadric";
   runs[2].record->median = {0.25, 0, 0.00179, 0.25179};
   runs[2].record->samples.assign(51, runs[2].record->median);
   const std::string text = speedup_text(runs, published());
@@ -337,7 +337,7 @@ TEST(Table, IsTheOneThatTheExperimentNames) {
 TEST(Table, FindsTheRecordsOfTheExperiment) {
   const TemporaryFolder folder;
   const Experiment experiment = parse_experiment("[[run]]\nresolution = [8, 9]", "t.toml");
-  write_failure(record_path(folder.path, "t", experiment.runs[1]), experiment.runs[1].config, {}, "broken");
+  write_failure(record_path(folder.path, "t", experiment.runs[1]), experiment.runs[1].run, {}, "broken");
   const auto runs = collect(experiment, folder.path);
   EXPECT_FALSE(runs[0].record);
   ASSERT_TRUE(runs[1].record);
@@ -348,7 +348,7 @@ TEST(GapColumn, IsThereWhenARunIsCertified) {
   RecordedRun plain = optimal_run(), certified = optimal_run();
   certified.record->gap = 4e-4;
   certified.record->bound = 0.79968;
-  plain.run.config.formulation = "voxel";
+  plain.run.asked().formulation = "voxel";
   for (const auto make : {runs_tables, speedup_tables, published_tables}) {
     EXPECT_EQ(to_csv(make({plain}, {})).find("gap"), std::string::npos);
     const Tables tables = make({certified, plain}, {});

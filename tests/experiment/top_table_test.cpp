@@ -13,8 +13,8 @@ namespace {
 /// A square plate of 10 mm a length: solid at a height of 0.5 and 1 thick, written flat and low.
 RecordedRun plate(const std::string& problem, std::map<std::string, std::string> settings) {
   RecordedRun run = optimal_run(std::move(settings));
-  run.run.config.problem = problem;
-  run.run.config.body.model = "teapot";
+  run.run.asked().problem = problem;
+  run.run.asked().body.model = "teapot";
   RecordSummary& r = *run.record;
   r.length_mm = 10;
   r.solid = box_moments({0, 0, 0.5}, {1.5, 1.5, 1});

@@ -47,7 +47,7 @@ void print(const RecordSummary& r) {
 void print(const MapSummary& map) {
   fmt::print("{}\n", map.path.string());
   fmt::print("  {}: map of {}{}, {} of {} axes, grid {}x{}x{}, {} rays, {:.3f} s\n", map.model, map.problem,
-             map.problem == "spin" ? " through " + map.through : "", map.axes, map.asked, map.grid[0],
+             !find_problem(map.problem).upright ? " through " + map.through : "", map.axes, map.asked, map.grid[0],
              map.grid[1], map.grid[2], map.rays, map.sweep_seconds);
   for (const MapSummary::Case& part : map.cases)
     fmt::print("  {:<10} {:.1f} % feasible, {:.1f} % {}\n",
