@@ -347,9 +347,11 @@ NestKindEntry entry(S name, S what, S help, S by, const Fields<Kind>& own) {
 }
 
 std::vector<NestKindEntry> make_kinds() {
+  const S by_nothing;  // what is left when no field says more
   return {
       entry<NestScale>(
-          "scale", "a search of the scale", "up to which scale does a shape nest at one placement", "",
+          "scale", "a search of the scale", "up to which scale does a shape nest at one placement",
+          by_nothing,
           joined<NestScale>(turn_fields(), place_fields(), decision_fields(), timing_fields<NestScale>())),
       entry<NestTest>("test", "a test of one scale", "does a shape nest at one placement and scale", "scale",
                       joined<NestTest>(test_fields(), turn_fields(), place_fields(), decision_fields(),
