@@ -148,7 +148,8 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
   const RunResult& r = design.run;
   design.before = figures_of(r.solid, 1e3 * r.mass_unit_grams * r.solid[S1] / r.density, r, run.problem());
   if (!design.feasible()) {
-    if (r.config.problem == "spin") design.other_axes = other_axes(session, spec.config, r.axis, control);
+    const ProblemEntry& asked = find_problem(r.config.problem);
+    if (asked.map && !asked.upright) design.other_axes = other_axes(session, spec.config, r.axis, control);
     return design;
   }
 

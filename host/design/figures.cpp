@@ -1,8 +1,6 @@
 #include "design/figures.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "problem/problem.hpp"
 
 namespace kreisel::core {
 
@@ -22,24 +20,11 @@ Figures figures_of(const Moments& body, double volume, const RunResult& run, con
 }
 
 Residual residual_of(const Figures& figures, const RunConfig& config) {
-  const auto value = [&](const char* name) {
-    const auto entry = figures.verdict.values.find(name);
-    return entry == figures.verdict.values.end() ? std::numeric_limits<double>::quiet_NaN() : entry->second;
-  };
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  if (config.problem == "stand") {
-    const auto target = config.settings.find("problem.target");
-    const bool over_centre = target == config.settings.end() || target->second == "centre";
-    return {over_centre ? value("off_centroid_mm") : std::max(0.0, -value("inside_mm")), none, none};
-  }
-  if (config.problem == "balance") return {value("offset_mm"), none, none};
-  if (config.problem == "float") {
-    const double excess = value("excess_mass");  // share of the displaced mass
-    return {value("offset_mm"), none, figures.mass * excess / (1 + excess)};
-  }
-  double off = value("off_axis_mm");
-  if (config.problem == "yoyo") off = std::hypot(off, value("centre_of_mass_z_mm"));
-  return {off, value("tilt_degrees"), none};
+  const ProblemEntry& problem = find_problem(config.problem);
+  if (!problem.misses) return {Misses::none, Misses::none, Misses::none};
+  const Misses misses = problem.misses(figures.verdict.values, settings_of(config, "problem"));
+  const double excess = misses.excess_mass;
+  return {misses.centre_of_mass_mm, misses.axis_degrees, figures.mass * excess / (1 + excess)};
 }
 
 }  // namespace kreisel::core

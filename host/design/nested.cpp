@@ -27,7 +27,7 @@ namespace {
 
 /// How finely voids are carved; the height field reaches up to three pixels further than asked for.
 double pixel_of(const NestedSpec& spec, double size) {
-  return std::max(spec.config.tolerances.accuracy / 4, size / 1024);
+  return std::max(spec.layers().tolerances.accuracy / 4, size / 1024);
 }
 
 struct Shapes {
@@ -38,10 +38,10 @@ struct Shapes {
 };
 
 Shapes load(const NestConfig& config) {
+  const std::vector<std::string>& within = std::get<NestLayers>(config.kind).within;
   std::vector<std::string> names = {config.outer};
-  if (!config.inner.empty() && (config.inner != config.outer || !config.within.empty()))
-    names.push_back(config.inner);
-  names.insert(names.end(), config.within.begin(), config.within.end());
+  if (!config.inner.empty() && (config.inner != config.outer || !within.empty())) names.push_back(config.inner);
+  names.insert(names.end(), within.begin(), within.end());
   Shapes shapes;
   for (const std::string& name : names) {
     BodySpec spec;
@@ -63,16 +63,17 @@ nest::Layers search(const NestedSpec& spec, const Shapes& shapes, device::Device
                     const Control& control) {
   nest::LayersSpec layers;
   layers.size = shapes.size;
-  layers.tolerances = spec.config.tolerances;
+  layers.tolerances = spec.layers().tolerances;
   layers.tolerances.accuracy += 3 * pixel_of(spec, shapes.size);
-  layers.most = spec.config.layers;
-  layers.cells = spec.config.cells;
-  layers.search = search_of(spec.config);
-  layers.search.freedom.given = unplaced(spec.config);
+  layers.most = spec.layers().layers;
+  layers.cells = spec.layers().cells;
+  layers.search = search_of(spec.layers(), spec.layers());
+  layers.search.freedom.given = unplaced(spec.layers());
+  layers.search.keep_outs = spec.layers().keep_outs;
   nest::Layers found =
       nest::nest_layers(shapes.meshes, device, layers, [&](int layer, const nest::SearchState& state) {
         control.tell(fmt::format("layer {}, iteration {} of {}, scale {:.4f}", layer, state.trace.size(),
-                                 spec.config.search.swarm.iterations, state.scale));
+                                 spec.layers().search.swarm.iterations, state.scale));
         return !control.stopped();
       });
   if (found.interrupted) throw Interrupted();
@@ -146,7 +147,7 @@ class Builder {
     TriangleMesh voids[2];
     for (int half = 0; half < 2; ++half)
       voids[half] = swept_void(inner, {layer.cut.into(half), layer.cut.removal(half)},
-                               spec.config.tolerances.accuracy, pixel, below);
+                               spec.layers().tolerances.accuracy, pixel, below);
     nested_.layers.push_back({layer});
     return cut_in_halves(outer, {std::move(voids[0]), std::move(voids[1])}, layer.cut, spec.density,
                          {spec.peg_radius});
@@ -155,7 +156,7 @@ class Builder {
   void measure(std::size_t k) {
     NestedLayer& layer = nested_.layers[k];
     const TriangleMesh outer = shape(k), inner = shape(k + 1);
-    const double step = nested_.spec.config.tolerances.accuracy / 2;
+    const double step = nested_.spec.layers().tolerances.accuracy / 2;
     // Files are in single precision; what lies that near to the outer surface is that surface.
     const double skin = 1e-5 * nested_.size;
     for (const NestedPart& part : nested_.parts) {
@@ -192,7 +193,7 @@ void require_printable(const nest::Tolerances& tolerances) {
 }
 
 void judge(Nested& nested, const std::string& wrong) {
-  const nest::Tolerances& asked = nested.spec.config.tolerances;
+  const nest::Tolerances& asked = nested.spec.layers().tolerances;
   double gap = std::numeric_limits<double>::infinity(), wall = gap;
   for (const NestedLayer& layer : nested.layers) {
     gap = std::min(gap, layer.gap);
@@ -226,7 +227,7 @@ Nested make_nested(const NestedSpec& spec, const Control& control) {
   nested.repairs = shapes.repairs;
   nested.size = shapes.size;
   nested.up = shapes.up;
-  nest::Tolerances& tolerances = nested.spec.config.tolerances;
+  nest::Tolerances& tolerances = nested.spec.layers().tolerances;
   tolerances.wall = wall_of(spec.wall, shapes.size);
   require_printable(tolerances);
   device::Device device(spec.config.device);

@@ -15,13 +15,17 @@
 namespace kreisel::core {
 
 struct NestedSpec {
-  /// Outer, inner and what is within; layers; what is free, and the search; its tolerances are the printer's.
+  /// Of the kind NestLayers; its tolerances are the printer's.
   NestConfig config;
   Wall wall{2, Wall::percent};  ///< the least, mm or percent of the outermost shape's longest side
   std::filesystem::path file;   ///< where the parts go
   double density = 1;           ///< g/cm^3
   double peg_radius = 0;        ///< of pins that align the halves of each layer, mm; 0: none
   bool lay_flat = false;        ///< parts are written beside each other, halves on their cuts
+
+  /// @throws std::bad_variant_access  a nesting of another kind
+  [[nodiscard]] const NestLayers& layers() const { return std::get<NestLayers>(config.kind); }
+  [[nodiscard]] NestLayers& layers() { return std::get<NestLayers>(config.kind); }
 };
 
 /// A shape around the next one, both halves of it as written and read again; mm.

@@ -44,19 +44,20 @@ json to_json(const NestedPart& part) {
 
 std::string to_json(const Nested& nested) {
   const NestConfig& config = nested.spec.config;
+  const NestLayers& asked = nested.spec.layers();
   json summary = {{"problem", "nest"},
                   {"model", config.outer},
                   {"outer", config.outer},
                   {"inner", config.inner.empty() ? config.outer : config.inner},
-                  {"within", config.within},
+                  {"within", asked.within},
                   {"config", describe(config)},
                   {"commit", nested.provenance.commit},
                   {"device", nested.provenance.device},
                   {"repairs", nested.repairs},
                   {"size_mm", nested.size},
                   {"axis", json_list(nested.up)},
-                  {"accuracy_mm", config.tolerances.accuracy},
-                  {"wall_asked_mm", config.tolerances.wall},
+                  {"accuracy_mm", asked.tolerances.accuracy},
+                  {"wall_asked_mm", asked.tolerances.wall},
                   {"density", nested.spec.density},
                   {"termination", nested.feasible() ? "valid" : "infeasible"},
                   {"ended", nested.ended},

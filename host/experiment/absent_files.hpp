@@ -2,16 +2,12 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "experiment/experiment.hpp"
 
 namespace kreisel::core {
 
-/// The shapes that a run names, models and files, each once.
-[[nodiscard]] std::vector<std::string> models_of(const ExperimentRun& run);
-
-/// Which of its files are not here, and where they were looked for: "no falcon.obj in the current folder nor
+/// Which mesh files of a run are not here, and where they were looked for: "no falcon.obj in the current folder nor
 /// in models; --models names another". Empty where all are there. Whether one can be read is seen when it is.
 [[nodiscard]] std::string text_of_absent(const ExperimentRun& run);
 

@@ -18,6 +18,7 @@
 #include "record/nest_record.hpp"
 #include "record/record.hpp"
 #include "record/records_in.hpp"
+#include "record/simulation_record.hpp"
 
 namespace kreisel::core {
 namespace fs = std::filesystem;
@@ -77,9 +78,9 @@ class Solve final : public Attempt {
   Solve(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks), mesh_(run.mesh) {}
 
   void run(const Control& control) override {
-    result_ = hooks_.run(run_.run.config, mesh_.file(), control).result;
+    result_ = hooks_.run(run_.run.solve(), mesh_.file(), control).result;
     // Interrupted between two timed solves: whole, but timed less often than asked.
-    const bool cut_short = result_->samples.size() < static_cast<std::size_t>(run_.run.config.repeat) &&
+    const bool cut_short = result_->samples.size() < static_cast<std::size_t>(run_.run.solve().repeat) &&
                            hooks_.stop.stop_requested();
     whole_ = !cut_short && result_->outcome.termination != Termination::interrupted;
   }
@@ -92,7 +93,7 @@ class Solve final : public Attempt {
   [[nodiscard]] std::string text() const override {
     const Outcome& outcome = result_->outcome;
     return fmt::format("{}: {}, {} variables, {} iterations, {:.3g} s (median of {}), f = {:.6g}",
-                       run_text(result_->config), to_string(outcome.termination), result_->variables,
+                       run_text(run_.run), to_string(outcome.termination), result_->variables,
                        outcome.iterations, result_->median.solve, result_->samples.size(), outcome.objective);
   }
   void keep() override {
@@ -113,7 +114,7 @@ class Mapping final : public Attempt {
  public:
   Mapping(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
 
-  void run(const Control& control) override { map_ = hooks_.map(run_.run.config, control); }
+  void run(const Control& control) override { map_ = hooks_.map(std::get<MapRun>(run_.run.run), control); }
   [[nodiscard]] bool whole() const override { return map_.axes.size() == map_.asked; }
   [[nodiscard]] bool converged() const override { return true; }  // an axis that is infeasible is an answer
   [[nodiscard]] std::string text() const override {
@@ -134,7 +135,7 @@ class Nesting final : public Attempt {
  public:
   Nesting(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
 
-  void run(const Control& control) override { result_ = hooks_.nest(*run_.run.nest, control); }
+  void run(const Control& control) override { result_ = hooks_.nest(run_.run.nesting(), control); }
   [[nodiscard]] bool whole() const override { return result_.ending != NestResult::Ending::interrupted; }
   [[nodiscard]] bool converged() const override { return true; }  // that nothing nests is an answer
   [[nodiscard]] std::string text() const override {
@@ -147,6 +148,27 @@ class Nesting final : public Attempt {
   const PlannedRun& run_;
   const RunnerHooks& hooks_;
   NestResult result_;
+};
+
+class Simulating final : public Attempt {
+ public:
+  Simulating(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
+
+  void run(const Control& control) override {
+    result_ = hooks_.simulation(std::get<SimulationRun>(run_.run.run), control);
+  }
+  [[nodiscard]] bool whole() const override { return true; }      // one that is interrupted throws
+  [[nodiscard]] bool converged() const override { return true; }  // that there is no part is an answer
+  [[nodiscard]] std::string text() const override {
+    if (!result_.made) return fmt::format("{}: {}, no part", run_text(run_.run), result_.termination);
+    return fmt::format("{}: {}", run_text(run_.run), result_.part.verdict.text);
+  }
+  void keep() override { write_simulation(run_.record, result_); }
+
+ private:
+  const PlannedRun& run_;
+  const RunnerHooks& hooks_;
+  Simulation result_;
 };
 
 /// Whether more timed solves are asked for than when the record was made, and would be made now. A record
@@ -162,13 +184,24 @@ bool wants_more_samples(const RunConfig& config, const nlohmann::json& record) {
 }  // namespace
 
 std::unique_ptr<Attempt> make_attempt(const PlannedRun& run, const RunnerHooks& hooks) {
-  if (run.run.nest) {
-    if (nest::is_baseline(run.run.nest->swarm)) return std::make_unique<OutsideNesting>(run);
-    return std::make_unique<Nesting>(run, hooks);
-  }
-  if (run.run.config.map) return std::make_unique<Mapping>(run, hooks);
-  if (run.run.config.limits.any()) return std::make_unique<OutsideSolve>(run);
-  return std::make_unique<Solve>(run, hooks);
+  struct Make {
+    const PlannedRun& run;
+    const RunnerHooks& hooks;
+    std::unique_ptr<Attempt> operator()(const RunConfig& solve) const {
+      if (solve.limits.any()) return std::make_unique<OutsideSolve>(run);
+      return std::make_unique<Solve>(run, hooks);
+    }
+    std::unique_ptr<Attempt> operator()(const MapRun&) const { return std::make_unique<Mapping>(run, hooks); }
+    std::unique_ptr<Attempt> operator()(const SimulationRun&) const {
+      return std::make_unique<Simulating>(run, hooks);
+    }
+    std::unique_ptr<Attempt> operator()(const NestConfig& nest) const {
+      const auto* search = part_of<NestSearch>(nest);
+      if (search && nest::is_baseline(search->swarm)) return std::make_unique<OutsideNesting>(run);
+      return std::make_unique<Nesting>(run, hooks);
+    }
+  };
+  return std::visit(Make{run, hooks}, run.run.run);
 }
 
 RunState state_of(const PlannedRun& run) {
@@ -181,7 +214,7 @@ RunState state_of(const PlannedRun& run) {
     return RunState::missing;
   if (record.kind != RecordKind::run) return RunState::finished;
   if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
-  if (wants_more_samples(run.run.config, record.summary)) return RunState::few_samples;
+  if (wants_more_samples(run.run.solve(), record.summary)) return RunState::few_samples;
   return RunState::finished;
 }
 

@@ -1,4 +1,4 @@
-// attempt.hpp - one run of an experiment as it is made and kept: a solve, or a map of orientations.
+// attempt.hpp - one run of an experiment as it is made and kept: of any kind.
 #pragma once
 
 #include <memory>

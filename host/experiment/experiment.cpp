@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <utility>
@@ -13,7 +14,6 @@
 #include "experiment/table.hpp"
 #include "nearest.hpp"
 #include "problem/problem.hpp"
-#include "session/field_names.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel::core {
@@ -31,6 +31,16 @@ struct Assignment {
   std::vector<Value> values;
   toml::source_position at;
 };
+
+/// A run before its lists are multiplied out.
+struct RunTable {
+  std::string label, kind;  ///< no kind: as its fields say
+  bool mesh = false;
+};
+
+/// What an experiment or a run may say that is no field.
+constexpr std::array<std::string_view, 9> other_keys = {"title", "table", "published", "figures", "run",
+                                                        "label", "mesh",  "kind",      "set"};
 
 /// The lines of the comment that the text begins with, without "# ".
 std::string opening_comment(std::string_view text) {
@@ -61,11 +71,9 @@ class Parser {
   Experiment parse() {
     const toml::array* runs = nullptr;
     if (const toml::node* table = root_.get("table")) read_table(*table, table->source().begin.line);
-    const std::string of = experiment_.layout ? experiment_.layout->of : kind_set_out_by(experiment_.table);
-    nestings_ = of == "nesting";
-    maps_ = of == "map";
-    ExperimentRun defaults;
-    if (nestings_) defaults.nest.emplace();
+    of_ = experiment_.layout ? experiment_.layout->of : kind_set_out_by(experiment_.table);
+    nestings_ = of_ == "nesting";
+    RunTable defaults;
     std::vector<Assignment> common;
     for (auto&& [key, node] : root_) {
       const unsigned line = key.source().begin.line;
@@ -87,7 +95,7 @@ class Parser {
     }
     if (!runs) fail(root_.source().end.line, "no run, expected at least one [[run]] table");
     for (const toml::node& table : *runs) {
-      ExperimentRun run = defaults;
+      RunTable run = defaults;
       std::vector<Assignment> own;
       for (auto&& [key, node] : *table.as_table()) read(key, node, run, own);
       multiply_out(run, merged(common, own));
@@ -101,22 +109,23 @@ class Parser {
     throw InputError(fmt::format("{}: line {}: {}", file_, line, what));
   }
 
-  /// Tables and figures set out solves or maps, not both.
+  /// Tables and figures set out runs of one kind, or nestings of any.
   void require_one_kind() const {
     const unsigned line = root_.source().end.line;
     for (const ExperimentRun& run : experiment_.runs) {
-      if (run.nest) continue;
-      if (run.config.map && !maps_)
-        fail(line, fmt::format("table = \"{}\" with a map of orientations, expected table = \"maps\"",
-                               experiment_.table));
-      if (!run.config.map && maps_)
-        fail(line,
-             fmt::format("table = \"{}\" with a run that is no map, expected axes or through in every run",
-                         experiment_.table));
-      if (run.config.limits.any() && (run.mesh || run.config.map))
-        fail(line, "memory or seconds with mesh = true or a map, expected a solve that keeps no mesh");
-      if (run.mesh && (run.config.map || run.config.part == Part::none))
+      const RunKind& kind = run_kind_of(run.run);
+      const bool nesting = std::holds_alternative<NestConfig>(run.run);
+      if (!of_.empty() && (nesting ? "nesting" : kind.name) != of_) {
+        if (of_ == "map")
+          fail(line, "table = \"maps\" with a run that is none, expected axes or through in every run");
+        fail(line, fmt::format("table = \"{}\" with {}, expected a {} in every run{}", experiment_.table,
+                               kind.what, of_, kind.name == "map" ? ", or table = \"maps\"" : ""));
+      }
+      const auto* solve = std::get_if<RunConfig>(&run.run);
+      if (run.mesh && (!solve || solve->part == Part::none))
         fail(line, "mesh = true for a run that makes no part, expected a solve with part = \"written\"");
+      if (run.mesh && solve->limits.any())
+        fail(line, "memory or seconds with mesh = true, expected a solve that keeps no mesh");
     }
   }
 
@@ -153,13 +162,13 @@ class Parser {
   }
 
   /// One key of the top level or of a run.
-  void read(const toml::key& key, const toml::node& node, ExperimentRun& run,
+  void read(const toml::key& key, const toml::node& node, RunTable& run,
             std::vector<Assignment>& into) const {
     const toml::source_position at = key.source().begin;
     if (key == "label") {
       run.label = string_of("label", node, at.line);
-    } else if (nestings_) {
-      read_of_nesting(key, node, into);
+    } else if (key == "kind") {
+      run.kind = kind_of(node, at.line);
     } else if (key == "mesh") {
       const auto value = node.value_exact<bool>();
       if (!value) fail(at.line, "mesh is not a boolean, expected true or false");
@@ -175,13 +184,13 @@ class Parser {
     }
   }
 
-  void read_of_nesting(const toml::key& key, const toml::node& node, std::vector<Assignment>& into) const {
-    const toml::source_position at = key.source().begin;
-    std::vector<std::string_view> names = {"title", "table", "published", "figures", "run", "label"};
-    for (const NestField& field : nest_fields()) names.push_back(field.name);
-    if (std::ranges::find(names, key.str()) == names.end())
-      fail(at.line, unknown_name("key", key.str(), names).what());
-    into.push_back({std::string(key.str()), values_of(key.str(), node, at.line), at});
+  std::string kind_of(const toml::node& node, unsigned line) const {
+    const std::string name = string_of("kind", node, line);
+    try {
+      return std::string(find_run_kind(name).name);
+    } catch (const InputError& error) {
+      fail(line, error.what());
+    }
   }
 
   void require_known(std::string_view key, unsigned line) const {
@@ -191,10 +200,9 @@ class Parser {
     for (const ProblemEntry& problem : problems())
       if (std::ranges::find(problem.settings, setting) != problem.settings.end())
         fail(line, fmt::format("setting '{}' outside 'set', expected set.problem.{}", key, setting));
-    std::vector<std::string_view> names = {"title", "table", "published", "figures",
-                                           "run",   "label", "mesh",      "set"};
-    const auto fields = field_names();
-    names.insert(names.end(), fields.begin(), fields.end() - 4);  // settings stand under 'set'
+    std::vector<std::string_view> names(other_keys.begin(), other_keys.end());
+    const auto fields = field_names();  // settings stand under 'set'
+    names.insert(names.end(), fields.begin(), fields.end());
     fail(line, unknown_name("key", key, names).what());
   }
 
@@ -248,12 +256,19 @@ class Parser {
   }
 
   /// Counts through the lists like an odometer, the last one fastest.
-  void multiply_out(const ExperimentRun& base, const std::vector<Assignment>& assignments) {
+  void multiply_out(const RunTable& table, const std::vector<Assignment>& assignments) {
+    std::vector<std::string_view> names;
+    for (const Assignment& assignment : assignments) names.push_back(assignment.key);
+    const RunKind& kind = table.kind.empty() ? kind_of_fields(names, nestings_) : find_run_kind(table.kind);
     std::vector<std::size_t> choice(assignments.size(), 0);
     while (true) {
-      ExperimentRun run = base;
-      for (std::size_t i = 0; i < assignments.size(); ++i) apply(run, assignments[i], choice[i]);
-      if (run.nest) require_fit(*run.nest, assignments);
+      std::vector<GivenText> given;
+      for (std::size_t i = 0; i < assignments.size(); ++i) {
+        const Value& value = assignments[i].values[choice[i]];
+        given.push_back({assignments[i].key, value.text, fmt::format("{}: line {}: ", file_, value.line)});
+      }
+      ExperimentRun run{make_run(given, kind), table.label, table.mesh};
+      require_fit(run.run, assignments);
       experiment_.runs.push_back(std::move(run));
       std::size_t turn = assignments.size();
       while (turn > 0 && ++choice[turn - 1] == assignments[turn - 1].values.size()) choice[--turn] = 0;
@@ -262,29 +277,18 @@ class Parser {
   }
 
   /// @param assignments  of the run, for the line
-  void require_fit(const NestConfig& config, const std::vector<Assignment>& assignments) const {
+  void require_fit(const Run& run, const std::vector<Assignment>& assignments) const {
     try {
-      require_valid(config);
+      require_valid(run);
     } catch (const InputError& error) {
       fail(assignments.empty() ? root_.source().end.line : assignments.back().at.line, error.what());
     }
   }
 
-  void apply(ExperimentRun& run, const Assignment& assignment, std::size_t choice) const {
-    const Value& value = assignment.values[choice];
-    try {
-      if (run.nest)
-        set_field(*run.nest, assignment.key, value.text);
-      else
-        set_field(run.config, assignment.key, value.text);
-    } catch (const InputError& error) {
-      fail(value.line, error.what());
-    }
-  }
-
   std::string file_;
   toml::table root_;
-  bool nestings_ = false, maps_ = false;  ///< what its runs are
+  std::string of_;         ///< the kind of run that its table sets out; empty: any
+  bool nestings_ = false;  ///< its runs are
   Experiment experiment_;
 };
 
@@ -307,13 +311,22 @@ std::vector<fs::path> experiment_folders() {
 }  // namespace
 
 std::map<std::string, std::string> fields_of(const ExperimentRun& run) {
-  if (!run.nest) return describe(run.config);
-  auto fields = describe(*run.nest);
-  fields["shapes"] = shapes_text(*run.nest);
+  auto fields = describe(run.run);
+  if (const auto* nest = std::get_if<NestConfig>(&run.run)) fields["shapes"] = shapes_text(*nest);
   return fields;
 }
 
-Limits limits_of(const ExperimentRun& run) { return run.nest ? Limits() : run.config.limits; }
+Limits limits_of(const ExperimentRun& run) {
+  const auto* solve = std::get_if<RunConfig>(&run.run);
+  return solve ? solve->limits : Limits();
+}
+
+const Asked& ExperimentRun::asked() const {
+  const Asked* asked = asked_of(run);
+  if (!asked) throw std::bad_variant_access();
+  return *asked;
+}
+Asked& ExperimentRun::asked() { return const_cast<Asked&>(std::as_const(*this).asked()); }
 
 Experiment parse_experiment(std::string_view text, const fs::path& file) {
   return Parser(text, file).parse();

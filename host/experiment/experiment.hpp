@@ -9,19 +9,25 @@
 #include <string_view>
 #include <vector>
 
-#include "run/nest_config.hpp"
-#include "session/config.hpp"
+#include "run/run.hpp"
 
 namespace kreisel::core {
 
 struct Layout;
 
-/// One run of an experiment: a solve or a map, or a nesting.
+/// One run of an experiment.
 struct ExperimentRun {
-  RunConfig config;
-  std::optional<NestConfig> nest;  ///< then `config` says nothing
-  std::string label;               ///< names the group of settings it belongs to, e.g. "paper"; may be empty
-  bool mesh = false;               ///< keep the printable mesh beside the record
+  Run run;
+  std::string label;  ///< names the group of settings it belongs to, e.g. "paper"; may be empty
+  bool mesh = false;  ///< keep the printable mesh beside the record; of a solve
+
+  // What it is known to be. @throws std::bad_variant_access  it is another
+  [[nodiscard]] const Asked& asked() const;
+  [[nodiscard]] Asked& asked();
+  [[nodiscard]] const RunConfig& solve() const { return std::get<RunConfig>(run); }
+  [[nodiscard]] RunConfig& solve() { return std::get<RunConfig>(run); }
+  [[nodiscard]] const NestConfig& nesting() const { return std::get<NestConfig>(run); }
+  [[nodiscard]] NestConfig& nesting() { return std::get<NestConfig>(run); }
 };
 
 /// What was asked of a run: a text for each field that defines it, for tables to read.
@@ -45,12 +51,12 @@ struct Experiment {
 /// Reads an experiment. Top-level keys are defaults of every run, `[[run]]` tables override them key by key,
 /// and lists multiply out: the key that comes first in the file varies slowest.
 ///
-///     title, table (see table_summaries(), or a layout), published, figures   of the experiment, top level
-///     only label, mesh                                        of a run, never lists every key of set_field()
-///     except GROUP.NAME         a string, number or boolean (written yes or no) set.GROUP.NAME or
-///     set."GROUP.NAME"                 solver, problem and formulation settings
+///     title, table (see table_summaries(), or a layout), published, figures   of the experiment
+///     label, mesh, kind                                  of a run, never lists
+///     every field of the kind (run.hpp)                  a string, number or boolean (written yes or no)
+///     set.GROUP.NAME or set."GROUP.NAME"                 solver, problem and formulation settings
 ///
-/// With a table of nestings every run is one, and the keys are those of NestConfig.
+/// The kind of a run is what `kind` says, or else what its fields do; with a table of nestings it is one.
 ///
 /// @param file  for messages, and its stem for the name
 /// @throws InputError  "FILE: line N: what, expected ...": bad TOML, unknown key, unfit value, no run

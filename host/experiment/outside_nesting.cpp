@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "error.hpp"
 #include "experiment/child.hpp"
 #include "experiment/run_text.hpp"
 #include "record/nest_record.hpp"
+#include "words.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -18,14 +17,13 @@ constexpr int interrupted_code = 130;  // and of a program that Ctrl-C ends: 128
 
 std::vector<std::string> words_of(const NestConfig& config, const fs::path& record) {
   std::vector<std::string> words = {program_beside("nest_baseline").string(), "--record", record.string()};
-  for (const auto& [field, text] : describe(config)) {
-    words.push_back("--" + field);
-    // Several words are several arguments.
-    for (std::size_t at = 0; at < text.size();) {
-      const std::size_t space = std::min(text.find(' ', at), text.size());
-      words.push_back(text.substr(at, space - at));
-      at = space + 1;
+  for (const auto& [name, text] : describe(config)) {
+    if (find_field(entry_of(config).fields, name)->words == 1) {
+      words.push_back(fmt::format("--{}={}", name, text));  // whatever it begins with
+      continue;
     }
+    words.push_back("--" + name);
+    for (std::string& word : split_words(text)) words.push_back(std::move(word));
   }
   if (!config.device.empty()) words.insert(words.end(), {"--device", config.device});
   return words;
@@ -35,7 +33,7 @@ std::vector<std::string> words_of(const NestConfig& config, const fs::path& reco
 
 void OutsideNesting::run(const Control& control) {
   control.tell("by nest_baseline");
-  const int code = run_child(words_of(*run_.run.nest, run_.record)).code;
+  const int code = run_child(words_of(run_.run.nesting(), run_.record)).code;
   whole_ = code != interrupted_code;
   if (whole_ && code != 0)
     throw InputError(fmt::format("nest_baseline ended with code {}, and said why", code));

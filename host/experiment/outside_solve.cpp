@@ -53,9 +53,9 @@ OutsideSolve::~OutsideSolve() {
 }
 
 void OutsideSolve::run(const Control& control) {
-  const Limits& limits = run_.run.config.limits;
+  const Limits& limits = run_.run.solve().limits;
   control.tell("in a process of its own");
-  const ChildEnd end = run_child(words_of(run_.run.config, partial_), limits, true);
+  const ChildEnd end = run_child(words_of(run_.run.solve(), partial_), limits, true);
   if (!end.limit.empty()) throw InputError(end.limit);
   whole_ = end.code != stopped_code;
   if (!whole_) return;

@@ -16,7 +16,7 @@ namespace {
 /// are cells; the fifth root more stands for the growing number of iterations and the fill of the factors.
 /// The count of the whole box will do, since the share of it that is interior hardly changes between grids of
 /// one body.
-double weight(const RunConfig& config) {
+double weight(const Asked& config) {
   const double n = config.grid.resolution;
   double cells = n * n * n;
   if (config.grid.cells) {
@@ -28,9 +28,11 @@ double weight(const RunConfig& config) {
 
 /// Of a nesting: placements asked for.
 double weight(const NestConfig& config) {
-  const nest::SwarmOptions& swarm = config.search.swarm;
-  if (config.accuracy > 0) return config.accuracy;
-  return config.free.empty() ? 1 : static_cast<double>(swarm.particles) * (swarm.iterations + 1);
+  if (const auto* accuracy = part_of<NestAccuracy>(config)) return accuracy->accuracy;
+  const auto* search = part_of<NestSearch>(config);
+  if (!search) return 1;
+  const nest::SwarmOptions& swarm = search->search.swarm;
+  return static_cast<double>(swarm.particles) * (swarm.iterations + 1);
 }
 
 std::size_t columns(std::FILE* out) {
@@ -41,11 +43,10 @@ std::size_t columns(std::FILE* out) {
 }  // namespace
 
 Effort effort_of(const ExperimentRun& run) {
-  if (run.nest)
-    return {run_text(run), fmt::format("{} {}", shapes_text(*run.nest), kind_of(*run.nest)),
-            weight(*run.nest)};
+  if (const auto* nest = std::get_if<NestConfig>(&run.run))
+    return {run_text(run), fmt::format("{} {}", shapes_text(*nest), kind_of(*nest)), weight(*nest)};
   // Formulations differ by an order of magnitude.
-  return {run_text(run), run.config.formulation, weight(run.config)};
+  return {run_text(run), run.asked().formulation, weight(run.asked())};
 }
 
 void Estimate::finished(const Effort& run, double seconds) {

@@ -13,7 +13,6 @@
 #include "experiment/attempt.hpp"
 #include "experiment/progress.hpp"
 #include "experiment/run_text.hpp"
-#include "record/nest_record.hpp"
 #include "record/record.hpp"
 
 namespace kreisel::core {
@@ -42,8 +41,9 @@ std::string_view text_of(RunState state) {
 Provenance provenance_of(const ExperimentRun& run) {
   using device::Precision;
   try {
-    const device::Device device(run.nest ? run.nest->device : run.config.device,
-                                run.config.single_precision ? Precision::single : Precision::automatic);
+    const device::Device device(
+        text_of(run.run, "device"),
+        text_of(run.run, "precision") == "single" ? Precision::single : Precision::automatic);
     return make_provenance(device);
   } catch (const std::exception&) {
     return {};
@@ -60,7 +60,7 @@ void make_folder(const fs::path& folder) {
 }  // namespace
 
 fs::path record_path(const fs::path& results, const std::string& experiment, const ExperimentRun& run) {
-  return results / experiment / ((run.nest ? run_name(*run.nest) : run_name(run.config)) + ".h5");
+  return results / experiment / (run_name(run.run) + ".h5");
 }
 
 std::vector<PlannedRun> plan_runs(const Experiment& experiment, const RunnerOptions& options) {
@@ -154,10 +154,7 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
       counts.interrupted = true;
     } else {
       const Provenance provenance = hooks.provenance ? hooks.provenance(run.run) : provenance_of(run.run);
-      if (run.run.nest)
-        write_nest_failure(run.record, *run.run.nest, provenance, error);
-      else
-        write_failure(run.record, run.run.config, provenance, error);
+      write_failure(run.record, run.run.run, provenance, error);
       ++counts.failed;
       fmt::print(options.log, "{}: failed: {}\n", run_text(run.run), error);
       std::fflush(options.log);

@@ -25,11 +25,12 @@ struct RunnerOptions {
 struct RunnerHooks {
   std::function<RunOutput(const RunConfig&, const std::string& mesh_file, const Control&)> run =
       kreisel::core::run;
-  std::function<OrientationMap(const RunConfig&, const Control&)> map = [](const RunConfig& config,
-                                                                           const Control& control) {
+  std::function<OrientationMap(const MapRun&, const Control&)> map = [](const MapRun& asked,
+                                                                        const Control& control) {
     Session session;
-    return map_orientations(session, map_spec(config), control);
+    return map_orientations(session, map_spec(asked), control);
   };
+  std::function<Simulation(const SimulationRun&, const Control&)> simulation = run_simulation;
   std::function<NestResult(const NestConfig&, const Control&)> nest = [](const NestConfig& config,
                                                                          const Control& control) {
     NestHooks hooks;

@@ -66,7 +66,8 @@ std::vector<FormulationEntry> ours() {
        "2024] "
        "(docs/quadric.md)",
        make_quadric,
-       {.oracle = true}},
+       {.oracle = true},
+       {"exact", "columns"}},
   };
 }
 

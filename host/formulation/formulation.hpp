@@ -145,6 +145,7 @@ struct FormulationEntry {
   std::unique_ptr<Formulation> (*make)(const Columns& domain, const Traits& traits,
                                        const FormulationSettings& settings, device::Device& device);
   Offers offers = {.derivatives = true};
+  std::vector<std::string> domains = {"columns"};  ///< that it works on, its own first: columns, exact
 };
 
 /// Those that there are, and such as were added.

@@ -7,13 +7,12 @@ namespace kreisel {
 
 Nesting nest(const Mesh& outer, const Mesh& inner, const std::map<std::string, std::string>& fields,
              const std::function<bool(int, double)>& on_iteration, const Control& control) {
-  core::NestConfig config;
-  for (const auto& [name, text] : fields) core::set_field(config, name, text);
   for (const char* name : {"outer", "inner", "within"})
     if (fields.contains(name))
       throw InputError(std::string("nest: ") + name + " = '" + fields.at(name) +
                        "'; expected none, the meshes are given");
-  if (config.layers > 0 || config.landscape > 0 || config.accuracy > 0)
+  core::NestConfig config = core::make_nest({fields.begin(), fields.end()});
+  if (!core::part_of<core::NestPlace>(config))
     throw InputError("nest: layers, landscape or accuracy; expected a test, a scale or a search");
   config.outer = "outer";  // in words, of the meshes below
   config.inner = "inner";

@@ -137,14 +137,14 @@ Part Session::part(const Solution& solution, const PartSpec& spec, const Control
 }
 
 Map Session::map(const Question& question, int axes, bool centre, const Control& control) {
-  core::RunConfig config = core::config_of(question);
-  config.map.emplace();
-  config.map->axes = axes;
-  config.map->through = centre ? core::Through::centre : core::Through::lowest;
-  core::MapSpec spec = core::map_spec(config);
-  if (config.problem == "float") {
-    const auto draft = question.problem.settings.find("draft");
-    spec.drafts = {draft == question.problem.settings.end() ? "60%" : draft->second};
+  core::MapRun run(core::config_of(question));
+  run.axes = axes;
+  run.through = centre ? core::Through::centre : core::Through::lowest;
+  core::MapSpec spec = core::map_spec(run);
+  // A question asks for one case: as it says, or as its problem has it.
+  if (const auto& cases = core::find_problem(run.problem).map; cases && !cases->setting.empty()) {
+    const auto given = question.problem.settings.find(cases->setting);
+    spec.drafts = {given == question.problem.settings.end() ? cases->usual : given->second};
   }
   const core::OrientationMap found =
       state_->asked([&] { return core::map_orientations(state_->session, spec, control); });

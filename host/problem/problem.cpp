@@ -1,6 +1,7 @@
 #include "problem/problem.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "problem/balance.hpp"
 #include "problem/float.hpp"
@@ -26,53 +27,91 @@ double violation(const Problem& problem, const Moments& s) {
 
 namespace {
 
+using Values = std::map<std::string, double>;
+
+double value_of(const Values& values, const char* name) {
+  const auto entry = values.find(name);
+  return entry == values.end() ? Misses::none : entry->second;
+}
+
+Misses misses_axis(const Values& values, const ProblemSettings&) {
+  return {value_of(values, "off_axis_mm"), value_of(values, "tilt_degrees")};
+}
+
+Misses misses_axle(const Values& values, const ProblemSettings&) {
+  return {std::hypot(value_of(values, "off_axis_mm"), value_of(values, "centre_of_mass_z_mm")),
+          value_of(values, "tilt_degrees")};
+}
+
+/// Of what is to stand anywhere inside its base: how far outside of it.
+Misses misses_base(const Values& values, const ProblemSettings& settings) {
+  const auto target = settings.find("target");
+  const bool over_centre = target == settings.end() || target->second == "centre";
+  return {over_centre ? value_of(values, "off_centroid_mm") : std::max(0.0, -value_of(values, "inside_mm"))};
+}
+
+Misses misses_buoyancy(const Values& values, const ProblemSettings&) {
+  return {value_of(values, "offset_mm"), Misses::none, value_of(values, "excess_mass")};
+}
+
+Misses misses_point(const Values& values, const ProblemSettings&) { return {value_of(values, "offset_mm")}; }
+
 std::vector<ProblemEntry> ours() {
   return {
-      {"spin",
-       "spins about its axis: centre of mass on it, principal, and the largest moment [RayRep, eq. 7-10]",
-       make_spin,
-       ProblemSettings{},
-       false,
-       {"lambda", "gamma_i"},
-       {{"lambda", "0"}, {"gamma_i", "1"}}},
-      {"top",
-       "spins on its tip: as spin, with centre of mass and mass lowered, or the height alone [SpinIt, "
-       "eq. 3]",
-       make_top,
-       std::nullopt,
-       false,
-       {"lower", "gamma_c", "gamma_i", "form"},
-       {{"lower", "mass"}, {"gamma_c", "1"}, {"gamma_i", "1"}, {"form", "trace"}}},
-      {"yoyo",
-       "spins about its axle: centre of mass at the axle's centre, principal, and the largest moment "
-       "[SpinIt, eq. 2]",
-       make_yoyo,
-       std::nullopt,
-       false,
-       {"gamma_i", "form"},
-       {{"gamma_i", "1"}, {"form", "trace"}},
-       true},
-      {"stand",
-       "stands: centre of mass over the base and low, or the largest tilt before toppling",
-       make_stand,
-       ProblemSettings{},
-       true,
-       {"target", "margin", "base"}},
-      {"float",
-       "floats upright at a given draft: centre of mass over that of buoyancy, and low [RayRep, eq. 3-5]",
-       make_float,
-       ProblemSettings{{"draft", "solid"}},
-       true,
-       {"draft", "fluid_density"}},
-      {"balance",
-       "centre of mass at a given point or on a given line, with as much material as possible",
-       make_balance,
-       std::nullopt,
-       true,
-       {"point", "line"},
-       {},
-       false,
-       rays_of_balance},
+      {.name = "spin",
+       .summary =
+           "spins about its axis: centre of mass on it, principal, and the largest moment [RayRep, eq. 7-10]",
+       .make = make_spin,
+       .for_solid = ProblemSettings{},
+       .settings = {"lambda", "gamma_i"},
+       .weights = {{"lambda", "0"}, {"gamma_i", "1"}},
+       .moves = Moves::spins,
+       .map = MapCases{},
+       .misses = misses_axis},
+      {.name = "top",
+       .summary = "spins on its tip: as spin, with centre of mass and mass lowered, or the height alone "
+                  "[SpinIt, eq. 3]",
+       .make = make_top,
+       .settings = {"lower", "gamma_c", "gamma_i", "form"},
+       .weights = {{"lower", "mass"}, {"gamma_c", "1"}, {"gamma_i", "1"}, {"form", "trace"}},
+       .verb = "spin",
+       .moves = Moves::spins,
+       .misses = misses_axis},
+      {.name = "yoyo",
+       .summary = "spins about its axle: centre of mass at the axle's centre, principal, and the largest "
+                  "moment [SpinIt, eq. 2]",
+       .make = make_yoyo,
+       .settings = {"gamma_i", "form"},
+       .weights = {{"gamma_i", "1"}, {"form", "trace"}},
+       .centred = true,
+       .verb = "spin",
+       .moves = Moves::spins,
+       .misses = misses_axle},
+      {.name = "stand",
+       .summary = "stands: centre of mass over the base and low, or the largest tilt before toppling",
+       .make = make_stand,
+       .for_solid = ProblemSettings{},
+       .upright = true,
+       .settings = {"target", "margin", "base"},
+       .moves = Moves::topples,
+       .misses = misses_base},
+      {.name = "float",
+       .summary =
+           "floats upright at a given draft: centre of mass over that of buoyancy, and low [RayRep, eq. 3-5]",
+       .make = make_float,
+       .for_solid = ProblemSettings{{"draft", "solid"}},
+       .upright = true,
+       .settings = {"draft", "fluid_density"},
+       .moves = Moves::heels,
+       .map = MapCases{"draft", {"20%", "40%", "60%", "80%"}, "60%", "metacentric_height_mm"},
+       .misses = misses_buoyancy},
+      {.name = "balance",
+       .summary = "centre of mass at a given point or on a given line, with as much material as possible",
+       .make = make_balance,
+       .upright = true,
+       .settings = {"point", "line"},
+       .rays = rays_of_balance,
+       .misses = misses_point},
   };
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -32,6 +33,25 @@ using kreisel::Verdict;
 /// Settings of a problem, from `--set problem.NAME=VALUE`.
 using ProblemSettings = std::map<std::string, std::string>;
 
+/// What a finished part of a problem does when it is set in motion.
+enum class Moves { nothing, spins, topples, heels };
+
+/// How all orientations of a body are mapped.
+struct MapCases {
+  std::string setting = {};              ///< that tells the cases apart; empty: there is one case
+  std::vector<std::string> values = {};  ///< of it, where nobody names others
+  std::string usual = {};                ///< the one that a problem has by itself
+  std::string most = {};  ///< the verdict's value that is to be large; empty: the objective is to be small
+};
+
+/// By how much a solid misses what was asked; NaN where nothing of the kind was.
+struct Misses {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  double centre_of_mass_mm = none;
+  double axis_degrees = none;  ///< between the axis and the nearest principal one
+  double excess_mass = none;   ///< above the displaced fluid's, as a share of that
+};
+
 /// One line of `bench list` and the way to make the problem.
 struct ProblemEntry {
   std::string name, summary;
@@ -47,6 +67,12 @@ struct ProblemEntry {
   /// Which way the rays of a domain had best run, model coordinates, where the problem leaves that open and
   /// its settings tell; nothing: along the body's own axis. Such rays serve no other question.
   std::function<std::optional<Vec3>(const ProblemSettings& settings, const Body& body)> rays = {};
+  std::string verb = {};  ///< what the body is to do; empty: as the problem is called
+  Moves moves = Moves::nothing;
+  std::optional<MapCases> map = {};  ///< nothing: orientations are not mapped
+  /// From a verdict's values on a solid; nothing: nobody can say.
+  std::function<Misses(const std::map<std::string, double>& values, const ProblemSettings& settings)> misses =
+      {};
 
   /// A body as this problem poses it.
   [[nodiscard]] BodySpec posed(BodySpec spec) const {

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "record/values.hpp"
+#include "run/run.hpp"
 #include "session/provenance.hpp"
 
 namespace kreisel::core::fields {
@@ -34,8 +35,26 @@ void provenance_fields(F& f, P& p) {
   f.late("provenance/load", "provenance.load", p.load);
 }
 
-/// A configuration is a text for each field, in the file and in JSON. What nobody registered here (another
-/// program's problem) is read all the same.
+/// Sets what a record says was asked for. What is registered in another program alone is taken as it is.
+template <class Config>
+void restore(Config& config, const std::map<std::string, std::string>& texts) {
+  if constexpr (std::is_base_of_v<Asked, Config>) {
+    for (const auto& [name, text] : texts) {
+      if (name == "problem")
+        config.problem = text;
+      else if (name == "formulation")
+        config.formulation = text;
+      else if (name == "solver")
+        config.solver = text;
+      else
+        set_field(config, name, text);
+    }
+  } else {
+    config = make_nest({texts.begin(), texts.end()});
+  }
+}
+
+/// A configuration is a text for each field, in the file and in JSON.
 template <class F, class Config>
 void config_fields(F& f, Config& config) {
   std::map<std::string, std::string> texts;

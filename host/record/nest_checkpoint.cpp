@@ -128,8 +128,10 @@ NestCheckpoint read_checkpoint(const std::filesystem::path& path) {
   require_schema(file, name, "a checkpoint of a nesting", checkpoint_schema, newest);
   NestCheckpoint checkpoint;
   const Group config = file.group("config");
+  GivenFields given;
   for (const std::string& key : config.attributes())
-    if (const std::string value = config.text(key); !value.empty()) set_field(checkpoint.config, key, value);
+    if (std::string value = config.text(key); !value.empty()) given.emplace_back(key, std::move(value));
+  checkpoint.config = make_nest(given);
   nest::SearchState& state = checkpoint.state;
   const std::int64_t phase = file.integer("phase");
   if (phase < nest::SearchState::swarming || phase > nest::SearchState::over)

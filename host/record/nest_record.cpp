@@ -158,15 +158,18 @@ void asked(F& f, R& r) {
 /// What JSON repeats of the question, as the answer needs it.
 template <class F, class R>
 void asked_of_search(F& f, R& r) {
-  const bool swarm = !r.config.free.empty();
-  f.given("variant", r.config.variant);
-  f.given("resolution", r.config.resolution);
-  f.given("free", r.config.free);
-  f.given("swarm", swarm ? json(r.config.swarm) : json());
-  f.given("seed", swarm || r.config.accuracy > 0 ? json(r.config.search.swarm.seed) : json());
-  if (!r.config.landscape) return;
-  f.stored("landscape/rotations", r.config.rotations);
-  f.given("rotations", r.config.rotations);
+  const auto* swarm = part_of<NestSearch>(r.config);
+  if (const auto* by = part_of<NestDecision>(r.config)) {
+    f.given("variant", by->variant);
+    f.given("resolution", by->resolution);
+  }
+  f.given("free", swarm ? swarm->free : "");
+  f.given("swarm", swarm ? json(swarm->swarm) : json());
+  f.given("seed", swarm || r.accuracy ? json(seed_of(r.config)) : json());
+  const auto* outlines = std::get_if<NestOutlines>(&r.config.kind);
+  if (!outlines) return;
+  f.stored("landscape/rotations", outlines->rotations);
+  f.given("rotations", outlines->rotations);
 }
 
 template <class F, class R>
@@ -176,7 +179,7 @@ void answer_fields(F& f, R& r) {
   f.given("outer", r.config.outer);
   f.stored("inner", inner);
   f.given("inner", inner);
-  f.stored("seed", static_cast<std::int64_t>(r.config.search.swarm.seed));
+  f.stored("seed", static_cast<std::int64_t>(seed_of(r.config)));
   f.value("outer_triangles", "", r.outer_triangles);
   f.value("inner_triangles", "", r.inner_triangles);
   f.given("triangles", r.outer_triangles + r.inner_triangles);
@@ -225,7 +228,7 @@ void trace_fields(F& f, R& r) {
     shown.push_back({step.iteration, step.evaluations, step.best});
   }
   f.rows("trace", "", rows, "1, 1, 1, 1, 1, s", trace_columns);
-  if (!r.config.free.empty()) f.given("trace", shown);
+  if (part_of<NestSearch>(r.config)) f.given("trace", shown);
   if constexpr (F::reading)
     for (const TraceRow& row : rows) {
       r.trace.push_back(row.step);
@@ -255,39 +258,19 @@ void describe(F& f, R& r) {
 
 }  // namespace
 
-void restore(NestConfig& config, const std::map<std::string, std::string>& texts) {
-  for (const auto& [name, text] : texts) set_field(config, name, text);
-}
-
 void write_nest(const std::filesystem::path& path, const NestResult& result) {
   write_with(path, [&](ToHdf5& f) { describe(f, result); });
 }
 
-void write_nest_failure(const std::filesystem::path& path, const NestConfig& config,
-                        const Provenance& provenance, const std::string& message) {
-  NestResult nothing;
-  nothing.config = config;
-  nothing.provenance = provenance;
-  write_with(path, [&](ToHdf5& f) {
-    asked(f, nothing);
-    f.stored("error", message);
-  });
-}
-
 NestResult read_nest(const std::filesystem::path& path) {
   NestResult result;
-  read_with(path, "a nesting", nest_schema, nest_schema_version, [&](FromHdf5& f, const hdf5::File& file) {
-    file.has("error") ? asked(f, result) : describe(f, result);
-  });
+  read_with(path, "a nesting", nest_schema, nest_schema_version,
+            [&](FromHdf5& f) { describe(f, result); });
   return result;
 }
 
 json to_json(const NestResult& result) {
   return json_with([&](ToJson& f) { describe(f, result); });
-}
-
-json asked_json(const NestResult& result) {
-  return json_with([&](ToJson& f) { asked(f, result); });
 }
 
 }  // namespace kreisel::core

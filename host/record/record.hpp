@@ -7,6 +7,7 @@
 #include <string>
 
 #include "file/write_text.hpp"
+#include "run/run.hpp"
 #include "session/result.hpp"
 
 namespace kreisel::core {
@@ -20,22 +21,17 @@ inline constexpr const char* no_part = "none made, none verified: part = none";
 /// @throws InputError  the folder cannot be written
 void write_record(const std::filesystem::path& path, const RunResult& result);
 
-/// A run that ended in an error before there was a result: configuration, provenance and the message.
+/// A run of any kind that ended in an error before there was a result: configuration, provenance and the
+/// message.
 /// @throws InputError  the folder cannot be written
-void write_failure(const std::filesystem::path& path, const RunConfig& config, const Provenance& provenance,
+void write_failure(const std::filesystem::path& path, const Run& run, const Provenance& provenance,
                    const std::string& message);
 
-/// A run as it was written, but for what grows with the resolution or the solve. Of one that failed there is
-/// only what was asked for, by whom and where.
-/// @throws InputError  not a record, or of a newer schema
+/// A run as it was written, but for what grows with the resolution or the solve.
+/// @throws InputError  not a record, one of a run that failed, or of a newer schema
 [[nodiscard]] RunResult read_run(const std::filesystem::path& path);
 
 /// The summary with the field names of "Machine-readable output" in docs/.
 [[nodiscard]] nlohmann::json to_json(const RunResult& result);
-/// What of it there is of a run that failed.
-[[nodiscard]] nlohmann::json asked_json(const RunResult& result);
-
-/// Sets what a record says was asked for. What is registered in another program alone is taken as it is.
-void restore(RunConfig& config, const std::map<std::string, std::string>& texts);
 
 }  // namespace kreisel::core

@@ -5,10 +5,12 @@
 #include <algorithm>
 
 #include "error.hpp"
+#include "record/common_fields.hpp"
 #include "record/map_record.hpp"
 #include "record/nest_record.hpp"
 #include "record/schema.hpp"
 #include "record/simulation_record.hpp"
+#include "record/with_fields.hpp"
 
 namespace kreisel::core {
 
@@ -24,18 +26,33 @@ RecordKind kind_in(const hdf5::File& file, const std::filesystem::path& path) {
                                path.string(), schema.empty() ? "" : fmt::format(" but a {}", schema)));
 }
 
-nlohmann::json summary_of(RecordKind kind, bool failed, const std::filesystem::path& path) {
+nlohmann::json summary_of(RecordKind kind, const std::filesystem::path& path) {
   switch (kind) {
     case RecordKind::run:
-      return failed ? asked_json(read_run(path)) : to_json(read_run(path));
+      return to_json(read_run(path));
     case RecordKind::map:
       return to_json(read_map(path));
     case RecordKind::nesting:
-      return failed ? asked_json(read_nest(path)) : to_json(read_nest(path));
+      return to_json(read_nest(path));
     case RecordKind::simulation:
       break;
   }
   return to_json(read_simulation(path));
+}
+
+/// Of a run that failed, whatever its kind: what was asked for, by whom and where.
+nlohmann::json summary_of_failure(const hdf5::File& file, const std::filesystem::path& path) {
+  return fields::json_with([&](fields::ToJson& json) {
+    fields::FromHdf5 from(file, path.string());
+    Provenance provenance;
+    fields::provenance_fields(from, provenance);
+    fields::provenance_fields(json, provenance);
+    std::map<std::string, std::string> config;
+    from.names("config", "", "config", config);
+    json.names("config", "", "config", config);
+    for (const char* name : {"model", "problem", "formulation", "solver", "kind", "shapes", "error"})
+      if (file.has(name)) json.given(name, file.text(name));
+  });
 }
 
 }  // namespace
@@ -52,11 +69,40 @@ Record read_record(const std::filesystem::path& path) {
   {
     const hdf5::File file = hdf5::File::open(path);
     record.kind = kind_in(file, path);
-    if (file.has("error")) record.error = file.text("error");
+    require_schema(file, path.string(), "a record", schema_of(file), record_schema_version);
+    if (file.has("error")) {
+      record.error = file.text("error");
+      record.summary = summary_of_failure(file, path);
+    }
   }
-  record.summary = summary_of(record.kind, !record.error.empty(), path);
-  if (!record.error.empty()) record.summary["error"] = record.error;
+  if (record.error.empty()) record.summary = summary_of(record.kind, path);
   return record;
+}
+
+/// The texts that a table, a program or another run know it by.
+void write_failure(const std::filesystem::path& path, const Run& run, const Provenance& provenance,
+                   const std::string& message) {
+  const auto schema = [&] {
+    if (std::holds_alternative<NestConfig>(run)) return nest_schema;
+    if (std::holds_alternative<SimulationRun>(run)) return simulation_schema;
+    return std::holds_alternative<MapRun>(run) ? map_schema : run_schema;
+  }();
+  fields::write_with(path, [&](fields::ToHdf5& file) {
+    fields::schema_fields(file, schema, record_schema_version);
+    file.names("config", "", "", describe(run));
+    fields::provenance_fields(file, provenance);
+    if (const Asked* asked = asked_of(run)) {
+      file.stored("model", model_text(*asked));
+      file.stored("problem", asked->problem);
+      file.stored("formulation", asked->formulation);
+      file.stored("solver", text_of(run, "solver"));
+    }
+    if (const auto* nest = std::get_if<NestConfig>(&run)) {
+      file.stored("kind", std::string(kind_of(*nest)));
+      file.stored("shapes", shapes_text(*nest));
+    }
+    file.stored("error", message);
+  });
 }
 
 std::vector<std::filesystem::path> records_in(const std::filesystem::path& path) {

@@ -80,7 +80,7 @@ constexpr auto cut_columns = [](auto& column, auto& cut) {
   column("opens", cut.opens);
 };
 
-/// What was asked, by whom and where: all that there is of a run that failed.
+/// What was asked, by whom and where.
 template <class F, class R>
 void asked(F& f, R& r) {
   schema_fields(f, run_schema, record_schema_version);
@@ -284,50 +284,19 @@ void describe(F& f, R& r) {
 
 }  // namespace
 
-void restore(RunConfig& config, const std::map<std::string, std::string>& texts) {
-  for (const auto& [name, text] : texts) {
-    if (name == "problem")
-      config.problem = text;
-    else if (name == "formulation")
-      config.formulation = text;
-    else if (name == "solver")
-      config.solver = text;
-    else
-      set_field(config, name, text);
-  }
-}
-
 void write_record(const std::filesystem::path& path, const RunResult& result) {
   write_with(path, [&](ToHdf5& f) { describe(f, result); });
-}
-
-void write_failure(const std::filesystem::path& path, const RunConfig& config, const Provenance& provenance,
-                   const std::string& message) {
-  RunResult nothing;
-  nothing.config = config;
-  nothing.provenance = provenance;
-  nothing.body_name = std::filesystem::path(config.body.model).stem().string();
-  write_with(path, [&](ToHdf5& f) {
-    asked(f, nothing);
-    f.stored("error", message);
-  });
 }
 
 RunResult read_run(const std::filesystem::path& path) {
   RunResult result;
   read_with(path, "a record of a run", run_schema, record_schema_version,
-            [&](FromHdf5& f, const hdf5::File& file) {
-              file.has("error") ? asked(f, result) : describe(f, result);
-            });
+            [&](FromHdf5& f) { describe(f, result); });
   return result;
 }
 
 json to_json(const RunResult& result) {
   return json_with([&](ToJson& f) { describe(f, result); });
-}
-
-json asked_json(const RunResult& result) {
-  return json_with([&](ToJson& f) { asked(f, result); });
 }
 
 }  // namespace kreisel::core

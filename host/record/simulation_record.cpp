@@ -87,8 +87,6 @@ void spin_fields(F& f, const std::string& body, S& check) {
              column("high", range.high);
            });
     f.given(at + fmt::format("stable_rpm.{}", contacts[i].second), ranges_json(ranges));
-    f.given(at + fmt::format("stable_above_rpm.{}", contacts[i].second),
-            stable_above(ranges) ? json(*stable_above(ranges)) : json());
   }
   auto& motion = check.motion;
   f.value(file + "least_force", at + "least_force", motion.least_force);
@@ -163,6 +161,13 @@ void body_fields(F& f, const std::string& body, B& b, double length_mm) {
   f.value(body + "/ok", body + ".ok", b.verdict.ok);
   f.value(body + "/text", body + ".text", b.verdict.text);
   f.names(body + "/values", "", body + ".values", b.verdict.values);
+  if (f.part(body + "/stable_above", "", b.above.has_value())) {
+    auto& above = engaged<F>(b.above);
+    f.value(body + "/stable_above/eq1", body + ".stable_above_rpm.eq1", above.eq1);
+    f.value(body + "/stable_above/gliding", body + ".stable_above_rpm.gliding", above.gliding);
+    f.value(body + "/stable_above/held", body + ".stable_above_rpm.held", above.held);
+    f.stored(body + "/stable_above/units", std::string("1/min"));
+  }
   if (f.part(body + "/spin", "", b.spin.has_value())) spin_fields(f, body, engaged<F>(b.spin));
   if (f.part(body + "/fall", "", b.fall.has_value())) {
     auto& fall = engaged<F>(b.fall);
@@ -184,6 +189,11 @@ void describe(F& f, S& s) {
   config_fields(f, s.config);
   f.value("model", "model", s.body_name);
   f.value("problem", "problem", s.config.problem);
+  provenance_fields(f, s.provenance);
+  if (f.part("termination", "", !s.termination.empty()))
+    f.value("termination", "termination", s.termination);
+  f.late("made", "made", s.made);  // early records are of parts
+  if (!s.made) return;
   f.value("length", "", s.length_mm, "mm");
   f.value("mass_unit", "", s.mass_unit_grams, "g");
   f.value("hollow", "hollow", s.hollow);
@@ -196,7 +206,6 @@ void describe(F& f, S& s) {
     f.value("seconds", "seconds", s.spin.seconds);
   }
   if (f.part("axle", "", s.part.fall.has_value())) f.value("axle", "", s.axle_mm, "mm");
-  provenance_fields(f, s.provenance);
 }
 
 }  // namespace
@@ -208,7 +217,7 @@ void write_simulation(const std::filesystem::path& path, const Simulation& simul
 Simulation read_simulation(const std::filesystem::path& path) {
   Simulation simulation;
   read_with(path, "a simulation", simulation_schema, simulation_schema_version,
-            [&](FromHdf5& f, const hdf5::File&) { describe(f, simulation); });
+            [&](FromHdf5& f) { describe(f, simulation); });
   return simulation;
 }
 

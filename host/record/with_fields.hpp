@@ -29,7 +29,7 @@ void read_with(const std::filesystem::path& path, std::string_view what, std::st
   const hdf5::File file = hdf5::File::open(path);
   require_schema(file, path.string(), what, schema, newest);
   FromHdf5 fields(file, path.string());
-  describe(fields, file);
+  describe(fields);
 }
 
 template <class Describe>

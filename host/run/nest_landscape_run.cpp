@@ -41,24 +41,25 @@ nest::CertifiedScale certify(const NestLandscape& found, double tolerance) {
 
 NestResult run_landscape(const NestConfig& config, const NestHooks& hooks) {
   require_valid(config);
+  const auto& asked = std::get<NestOutlines>(config.kind);
   NestResult result;
   result.config = config;
   const Stopwatch setup;
   device::Device device(config.device);
   result.provenance = make_provenance(device);
-  const std::vector<TriangleMesh> shapes = shapes_of_run(config);
+  const std::vector<TriangleMesh> shapes = hooks.shapes.empty() ? shapes_of_run(config) : hooks.shapes;
   result.outer_triangles = shapes.front().triangles.size();
   result.inner_triangles = shapes.back().triangles.size();
   const auto outline = [&](const TriangleMesh& mesh) {
-    return nest::silhouette(mesh, config.view, config.up, pixels);
+    return nest::silhouette(mesh, asked.view, asked.up, pixels);
   };
   NestLandscape found;
   found.outlines = nest::plane_shapes(outline(shapes.front()), outline(shapes.back()));
   result.setup_seconds = setup.seconds();
   nest::LandscapeSpec spec;
-  spec.columns = config.landscape;
-  spec.rotations = config.rotations;
-  spec.directions = directions_for(config.rotations);
+  spec.columns = asked.landscape;
+  spec.rotations = asked.rotations;
+  spec.directions = directions_for(asked.rotations);
   const Stopwatch search;
   found.map = nest::landscape(found.outlines, spec, [&](int done, int rows) {
     hooks.control.tell(fmt::format("row {} of {}, about {:.0f} s left", done, rows,
@@ -69,8 +70,8 @@ NestResult run_landscape(const NestConfig& config, const NestHooks& hooks) {
   const std::size_t best = found.map.best();
   result.scale = found.map.scale[best];
   result.valid = result.scale > 0;
-  found.degrees = 360.0 * found.map.rotation[best] / config.rotations;
-  result.evaluations = found.map.inside * static_cast<std::uint64_t>(config.rotations);
+  found.degrees = 360.0 * found.map.rotation[best] / asked.rotations;
+  result.evaluations = found.map.inside * static_cast<std::uint64_t>(asked.rotations);
   result.text = fmt::format(
       "{} x {} centroids, of which {} inside; the best at {:.6g},{:.6g}, turned by {:.4f} degrees",
       found.map.nx, found.map.ny, found.map.inside, found.map.at(best).x(), found.map.at(best).y(),
@@ -78,7 +79,7 @@ NestResult run_landscape(const NestConfig& config, const NestHooks& hooks) {
   if (!found.map.complete) result.ending = NestResult::Ending::interrupted;
   if (result.valid && found.map.complete) {
     const Stopwatch certifying;
-    result.certified = certify(found, config.tolerance);
+    result.certified = certify(found, asked.tolerance);
     result.certify_seconds = certifying.seconds();
   }
   result.landscape = std::move(found);

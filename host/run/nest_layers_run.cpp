@@ -25,23 +25,27 @@ void describe_first(NestResult& result, const nest::Layer& layer) {
 
 NestResult run_layers(const NestConfig& config, const NestHooks& hooks) {
   require_valid(config);
+  const auto& asked = std::get<NestLayers>(config.kind);
   NestResult result;
   result.config = config;
   const Stopwatch all;
   device::Device device(config.device);
   result.provenance = make_provenance(device);
-  std::vector<TriangleMesh> shapes = shapes_of_run(config);
+  std::vector<TriangleMesh> shapes = hooks.shapes.empty() ? shapes_of_run(config) : hooks.shapes;
   result.outer_triangles = shapes.front().triangles.size();
   result.inner_triangles = shapes[shapes.size() > 1 ? 1 : 0].triangles.size();
   nest::LayersSpec spec;
-  spec.tolerances = config.tolerances;
-  spec.most = config.layers;
-  spec.cells = config.cells;
-  spec.search = search_of(config);
-  spec.search.freedom.given = unplaced(config);
+  spec.tolerances = asked.tolerances;
+  spec.most = asked.layers;
+  spec.cells = asked.cells;
+  spec.search = search_of(asked, asked);
+  spec.search.freedom.given = unplaced(asked);
+  spec.search.keep_outs = asked.keep_outs;
+  spec.optimise = hooks.optimise;
   result.layers = nest::nest_layers(shapes, device, spec, [&](int layer, const nest::SearchState& state) {
     hooks.control.tell(
         fmt::format("layer {}, iteration {}, scale {:.4f}", layer, state.trace.size(), state.scale));
+    if (hooks.on_iteration && !hooks.on_iteration(state)) return false;
     return !hooks.control.stopped();
   });
   const nest::Layers& found = *result.layers;

@@ -35,36 +35,38 @@ Eigen::Matrix3d rotation_of(const Vec3& axis_times_degrees) {
 std::vector<TriangleMesh> shapes_of_run(const NestConfig& config) {
   std::vector<TriangleMesh> shapes{shape_of(config.outer, config.outer_size, config.fineness)};
   const bool same = (config.inner.empty() || config.inner == config.outer) && !config.inner_size;
-  if (!same || !config.within.empty())
+  const auto* layers = part_of<NestLayers>(config);
+  const std::vector<std::string> within = layers ? layers->within : std::vector<std::string>();
+  if (!same || !within.empty())
     shapes.push_back(
         shape_of(config.inner.empty() ? config.outer : config.inner, config.inner_size, config.fineness));
-  for (const std::string& model : config.within) shapes.push_back(shape_of(model, {}, config.fineness));
+  for (const std::string& model : within) shapes.push_back(shape_of(model, {}, config.fineness));
   return shapes;
 }
 
-nest::Placement unplaced(const NestConfig& config) {
+nest::Placement unplaced(const NestTurn& turn) {
   nest::Placement placement;
-  placement.pose.rotation = rotation_of(config.rotation);
-  placement.pose.scale = config.scale.value_or(1);
-  placement.cut = nest::Cut::through(Vec3::Zero(), config.plane);
-  if (config.removal) {
-    placement.cut.plus = config.removal->first.normalized();
-    placement.cut.minus = config.removal->second.normalized();
+  placement.pose.rotation = rotation_of(turn.rotation);
+  placement.pose.scale = 1;
+  placement.cut = nest::Cut::through(Vec3::Zero(), turn.plane);
+  if (turn.removal) {
+    placement.cut.plus = turn.removal->first.normalized();
+    placement.cut.minus = turn.removal->second.normalized();
   }
   return placement;
 }
 
-nest::OptimiseSpec search_of(const NestConfig& config) {
+nest::OptimiseSpec search_of(const NestSearch& search, const NestDecision& decision) {
   nest::OptimiseSpec spec;
-  spec.freedom.set_free(config.free);
-  spec.freedom.up = config.up.normalized();
-  spec.variant = config.swarm;
-  spec.test = config.variant;
-  spec.resolution = config.resolution;
-  spec.tolerance = config.tolerance;
-  spec.upper = config.upper;
-  spec.search = config.search;
-  spec.seconds = config.seconds;
+  spec.freedom.set_free(search.free);
+  spec.freedom.up = search.up.normalized();
+  spec.variant = search.swarm;
+  spec.test = decision.variant;
+  spec.resolution = decision.resolution;
+  spec.tolerance = decision.tolerance;
+  spec.upper = decision.upper;
+  spec.search = search.search;
+  spec.seconds = search.seconds;
   return spec;
 }
 

@@ -13,13 +13,13 @@ namespace kreisel::core {
 /// @throws InputError  unknown model, unreadable file, a mesh without extent that is to be scaled
 [[nodiscard]] std::vector<TriangleMesh> shapes_of_run(const NestConfig& config);
 
-/// Rotation, plane and directions as configured; centroid and plane at the origin.
-[[nodiscard]] nest::Placement unplaced(const NestConfig& config);
+/// Rotation, plane and directions as configured; centroid and plane at the origin, scale 1.
+[[nodiscard]] nest::Placement unplaced(const NestTurn& turn);
 
 /// The search as configured, but for what is given and kept out: those need a nesting.
-[[nodiscard]] nest::OptimiseSpec search_of(const NestConfig& config);
+[[nodiscard]] nest::OptimiseSpec search_of(const NestSearch& search, const NestDecision& decision);
 
-/// What kind_of() calls "layers" and "landscape". As run_nest().
+/// A run of layers, and of outlines. As run_nest().
 [[nodiscard]] NestResult run_layers(const NestConfig& config, const NestHooks& hooks);
 [[nodiscard]] NestResult run_landscape(const NestConfig& config, const NestHooks& hooks);
 

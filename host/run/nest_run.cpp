@@ -23,18 +23,18 @@ nest::Nesting nesting_of(std::vector<TriangleMesh> shapes) {
   return {std::move(shapes.front()), std::move(inner)};
 }
 
-nest::Placement placement_of(const NestConfig& config, const nest::Nesting& nesting) {
-  nest::Placement placement = unplaced(config);
-  placement.pose.centroid = nesting.to_units(config.centroid.value_or(nesting.outer_centroid()));
-  const Vec3 through = config.through ? nesting.to_units(*config.through) : placement.pose.centroid;
+nest::Placement placement_of(const NestTurn& turn, const NestPlace& place, const nest::Nesting& nesting) {
+  nest::Placement placement = unplaced(turn);
+  placement.pose.centroid = nesting.to_units(place.centroid.value_or(nesting.outer_centroid()));
+  const Vec3 through = place.through ? nesting.to_units(*place.through) : placement.pose.centroid;
   placement.cut.offset = placement.cut.normal.dot(through);
   nest::require_valid(placement);
   return placement;
 }
 
-nest::OptimiseSpec spec_of(const NestConfig& config, const nest::Nesting& nesting,
+nest::OptimiseSpec spec_of(const NestSwarm& config, const nest::Nesting& nesting,
                            const nest::Placement& given) {
-  nest::OptimiseSpec spec = search_of(config);
+  nest::OptimiseSpec spec = search_of(config, config);
   spec.freedom.given = given;
   for (const nest::KeepOut& ball : config.keep_outs)
     spec.keep_outs.push_back({nesting.to_units(ball.centre), ball.radius / nesting.unit()});
@@ -58,33 +58,18 @@ class Run {
     result_.outer_triangles = nesting.outer().triangles.size();
     result_.inner_triangles = nesting.inner().triangles.size();
     if (config_.keep_shapes) result_.shapes = shapes;
-    if (config_.accuracy > 0) {
-      compare(nesting, device, setup);
-      return std::move(result_);
-    }
-    nest::Placement placement = placement_of(config_, nesting);
-    const std::string_view kind = kind_of(config_);
-    if (kind == "swarm")
-      search_placements(nesting, device, placement, setup);
-    else if (kind == "test")
-      test(nesting, device, placement, setup);
-    else
-      search_scale(nesting, device, placement, setup);
-    describe(nesting, placement);
-    if (result_.valid) certify(nesting, device, placement);
-    if (result_.valid && result_.ending == Ending::whole) time(nesting, device, placement);
+    std::visit([&](const auto& kind) { answer(kind, nesting, device, setup); }, config_.kind);
     return std::move(result_);
   }
 
  private:
-  void step(const std::string& what) const { hooks_.control.tell(what); }
-
-  void compare(const nest::Nesting& nesting, device::Device& device, const Stopwatch& setup) {
+  void answer(const NestAccuracy& asked, const nest::Nesting& nesting, device::Device& device,
+              const Stopwatch& setup) {
     step("comparing");
     result_.setup_seconds = setup.seconds();
     const Stopwatch search;
-    result_.accuracy = nest::compare(device, nesting, config_.accuracy, {64, 128, 256, 512},
-                                     config_.search.swarm.seed, hooks_.control.stop);
+    result_.accuracy =
+        nest::compare(device, nesting, asked.accuracy, {64, 128, 256, 512}, asked.seed, hooks_.control.stop);
     result_.search_seconds = search.seconds();
     if (hooks_.control.stopped()) result_.ending = Ending::interrupted;
     result_.evaluations = static_cast<std::uint64_t>(result_.accuracy->placements);
@@ -92,9 +77,49 @@ class Run {
         fmt::format("{} of {} placements nest", result_.accuracy->nested, result_.accuracy->placements);
   }
 
-  void test(const nest::Nesting& nesting, device::Device& device, const nest::Placement& placement,
-            const Stopwatch& setup) {
-    const auto test = nest::make_feasibility(config_.variant, device, nesting, config_.resolution);
+  void answer(const NestTest& asked, const nest::Nesting& nesting, device::Device& device,
+              const Stopwatch& setup) {
+    nest::Placement placement = placement_of(asked, asked, nesting);
+    placement.pose.scale = *asked.scale;
+    nest::require_valid(placement);
+    test(asked, nesting, device, placement, setup);
+    describe(nesting, placement);
+    if (!result_.valid) return;
+    certify_at(nesting, placement);
+    time(asked, asked.timings, nesting, device, placement);
+  }
+
+  void answer(const NestScale& asked, const nest::Nesting& nesting, device::Device& device,
+              const Stopwatch& setup) {
+    nest::Placement placement = placement_of(asked, asked, nesting);
+    search_scale(asked, nesting, device, placement, setup);
+    describe(nesting, placement);
+    if (!result_.valid) return;
+    certify_below(asked, nesting, placement);
+    time(asked, asked.timings, nesting, device, placement);
+  }
+
+  void answer(const NestSwarm& asked, const nest::Nesting& nesting, device::Device& device,
+              const Stopwatch& setup) {
+    nest::Placement placement = placement_of(asked, asked, nesting);
+    search_placements(asked, nesting, device, placement, setup);
+    describe(nesting, placement);
+    if (!result_.valid) return;
+    certify_below(asked, nesting, placement);
+    const auto sampled = nest::make_feasibility("envelope", device, nesting, asked.resolution);
+    result_.sampled_scale = nest::largest_near(*sampled, placement, asked.tolerance).scale;
+    if (result_.ending == Ending::whole) time(asked, asked.timings, nesting, device, placement);
+  }
+
+  /// These have a way of their own: run_layers(), run_landscape().
+  void answer(const NestLayers&, const nest::Nesting&, device::Device&, const Stopwatch&) {}
+  void answer(const NestOutlines&, const nest::Nesting&, device::Device&, const Stopwatch&) {}
+
+  void step(const std::string& what) const { hooks_.control.tell(what); }
+
+  void test(const NestDecision& by, const nest::Nesting& nesting, device::Device& device,
+            const nest::Placement& placement, const Stopwatch& setup) {
+    const auto test = nest::make_feasibility(by.variant, device, nesting, by.resolution);
     result_.setup_seconds = setup.seconds();
     step("testing");
     const Stopwatch search;
@@ -105,12 +130,12 @@ class Run {
     result_.text = nest::to_string(verdict, nesting);
   }
 
-  void search_scale(const nest::Nesting& nesting, device::Device& device, nest::Placement& placement,
-                    const Stopwatch& setup) {
-    const auto search = nest::make_search(config_.variant, device, nesting, config_.resolution);
+  void search_scale(const NestDecision& by, const nest::Nesting& nesting, device::Device& device,
+                    nest::Placement& placement, const Stopwatch& setup) {
+    const auto search = nest::make_search(by.variant, device, nesting, by.resolution);
     result_.setup_seconds = setup.seconds();
     step("searching the scale");
-    const nest::SearchLimits limits = limits_of(nesting);
+    const nest::SearchLimits limits = limits_of(by, nesting);
     const Stopwatch searching;
     const nest::FoundScale found = search->search(placement, limits);
     result_.search_seconds = searching.seconds();
@@ -120,9 +145,9 @@ class Run {
     result_.text = result_.valid ? "valid" : fmt::format("invalid at every scale up to {:.6g}", limits.upper);
   }
 
-  void search_placements(const nest::Nesting& nesting, device::Device& device, nest::Placement& placement,
-                         const Stopwatch& setup) {
-    const nest::OptimiseSpec spec = spec_of(config_, nesting, placement);
+  void search_placements(const NestSwarm& asked, const nest::Nesting& nesting, device::Device& device,
+                         nest::Placement& placement, const Stopwatch& setup) {
+    const nest::OptimiseSpec spec = spec_of(asked, nesting, placement);
     if (hooks_.resume) result_.trace_seconds = hooks_.resume->seconds;
     const double before = result_.trace_seconds.empty() ? 0 : result_.trace_seconds.back();
     result_.setup_seconds = setup.seconds();
@@ -135,7 +160,7 @@ class Run {
           // One that is resumed begins with what it has.
           if (result_.trace_seconds.size() < state.trace.size())
             result_.trace_seconds.push_back(before + search.seconds());
-          step(progress_of(state));
+          step(progress_of(asked.search.swarm.iterations, state));
           if (hooks_.keep && search.seconds() > kept + seconds_between_checkpoints) {
             kept = search.seconds();
             hooks_.keep({config_, state, result_.trace_seconds});
@@ -156,9 +181,8 @@ class Run {
   }
 
   /// With the time left, by the swarm's iterations; how many a climb takes is not known.
-  [[nodiscard]] std::string progress_of(const nest::SearchState& state) const {
+  [[nodiscard]] std::string progress_of(int all, const nest::SearchState& state) const {
     const auto done = static_cast<double>(state.trace.size());
-    const int all = config_.search.swarm.iterations;
     if (state.phase == nest::SearchState::climbing || done > all)
       return fmt::format("refining, scale {:.4f}", state.scale);
     const double so_far = result_.trace_seconds.empty() ? 0 : result_.trace_seconds.back();
@@ -166,10 +190,10 @@ class Run {
                        state.scale, so_far * (all / done - 1));
   }
 
-  [[nodiscard]] nest::SearchLimits limits_of(const nest::Nesting& nesting) const {
+  [[nodiscard]] static nest::SearchLimits limits_of(const NestDecision& by, const nest::Nesting& nesting) {
     nest::SearchLimits limits;
-    limits.upper = config_.upper.value_or(nesting.largest_scale());
-    limits.tolerance = config_.tolerance;
+    limits.upper = by.upper.value_or(nesting.largest_scale());
+    limits.tolerance = by.tolerance;
     return limits;
   }
 
@@ -183,46 +207,48 @@ class Run {
     result_.minus = cut.minus;
   }
 
-  void certify(const nest::Nesting& nesting, device::Device& device, const nest::Placement& placement) {
+  /// The scale that was asked about, no other.
+  void certify_at(const nest::Nesting& nesting, const nest::Placement& placement) {
     step("certifying");
     const Stopwatch certify;
-    if (config_.scale) {
-      nest::CertifiedScale certified;
-      certified.verdict = nest::Exact(nesting).check(placement);
-      certified.confirmed = certified.verdict.valid();
-      certified.scale = certified.confirmed ? placement.pose.scale : 0;
-      certified.tests = 1;
-      result_.certified = certified;
-    } else {
-      result_.certified = nest::certify_scale(nesting, placement, config_.tolerance);
-    }
+    nest::CertifiedScale certified;
+    certified.verdict = nest::Exact(nesting).check(placement);
+    certified.confirmed = certified.verdict.valid();
+    certified.scale = certified.confirmed ? placement.pose.scale : 0;
+    certified.tests = 1;
+    result_.certified = certified;
     result_.certify_seconds = certify.seconds();
-    if (config_.free.empty()) return;
-    const auto sampled = nest::make_feasibility("envelope", device, nesting, config_.resolution);
-    result_.sampled_scale = nest::largest_near(*sampled, placement, config_.tolerance).scale;
   }
 
-  void time(const nest::Nesting& nesting, device::Device& device, const nest::Placement& placement) {
+  void certify_below(const NestDecision& by, const nest::Nesting& nesting, const nest::Placement& placement) {
+    step("certifying");
+    const Stopwatch certify;
+    result_.certified = nest::certify_scale(nesting, placement, by.tolerance);
+    result_.certify_seconds = certify.seconds();
+  }
+
+  void time(const NestDecision& by, int timings, const nest::Nesting& nesting, device::Device& device,
+            const nest::Placement& placement) {
     for (const char* variant : {"peel", "envelope", "exact", "hybrid"}) {
-      if (config_.timings == 0 || hooks_.control.stopped()) return;
+      if (timings == 0 || hooks_.control.stopped()) return;
       step(fmt::format("timing {}", variant));
-      const auto test = nest::make_feasibility(variant, device, nesting, config_.resolution);
-      const auto search = nest::make_search(variant, device, nesting, config_.resolution);
+      const auto test = nest::make_feasibility(variant, device, nesting, by.resolution);
+      const auto search = nest::make_search(variant, device, nesting, by.resolution);
       nest::Placement smaller = placement;
       smaller.pose.scale *= 0.98;
       NestTiming timing{variant, 0, 0, 0};
-      timing.test_ms = median_ms([&] { (void)test->check(smaller); });
+      timing.test_ms = median_ms(timings, [&] { (void)test->check(smaller); });
       timing.search_ms =
-          median_ms([&] { timing.scale = search->search(placement, limits_of(nesting)).scale; });
+          median_ms(timings, [&] { timing.scale = search->search(placement, limits_of(by, nesting)).scale; });
       result_.timings.push_back(timing);
     }
   }
 
   /// After one more, which warms up.
   template <class Work>
-  [[nodiscard]] double median_ms(const Work& work) const {
+  [[nodiscard]] static double median_ms(int timings, const Work& work) {
     std::vector<double> ms;
-    for (int i = 0; i <= config_.timings; ++i) {
+    for (int i = 0; i <= timings; ++i) {
       const Stopwatch watch;
       work();
       if (i > 0) ms.push_back(1e3 * watch.seconds());
@@ -245,8 +271,12 @@ std::string_view termination_of(const NestResult& result) {
 }
 
 NestResult run_nest(const NestConfig& config, const NestHooks& hooks) {
-  if (config.layers > 0) return run_layers(config, hooks);
-  if (config.landscape > 0) return run_landscape(config, hooks);
+  if ((hooks.keep || hooks.resume) && !std::holds_alternative<NestSwarm>(config.kind))
+    throw InputError(
+        fmt::format("a checkpoint of {}; expected a search over placements, by --free without --layers",
+                    entry_of(config).what));
+  if (std::holds_alternative<NestLayers>(config.kind)) return run_layers(config, hooks);
+  if (std::holds_alternative<NestOutlines>(config.kind)) return run_landscape(config, hooks);
   return Run(config, hooks)();
 }
 

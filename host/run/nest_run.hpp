@@ -71,18 +71,18 @@ struct NestResult {
 /// What a run tells and asks on its way.
 struct NestHooks {
   Control control = {};
-  std::function<void(const NestCheckpoint&)> keep = {};  ///< every half a minute, and at the end of a search
-  /// In place of the shapes that the configuration names: outer and inner, or one in itself.
+  /// Every half a minute, and at the end of a search over placements; like `resume` of that kind alone.
+  std::function<void(const NestCheckpoint&)> keep = {};
+  /// In place of the shapes that the configuration names: outer, inner and what is within, or one in itself.
   std::vector<TriangleMesh> shapes = {};
-  /// Told of each iteration of a search; false ends it, and what was found is kept.
+  /// Told of each iteration of a search, a layer's too; false ends it, and what was found is kept.
   std::function<bool(const nest::SearchState&)> on_iteration = {};
   const NestCheckpoint* resume = nullptr;
-  std::function<nest::OptimiseResult(const nest::Nesting&, device::Device&, const nest::OptimiseSpec&,
-                                     const nest::OnIteration&, const nest::SearchState*)>
-      optimise = nest::optimise;
+  nest::Optimiser optimise = nest::optimise;
 };
 
-/// @throws InputError  shapes, options or a checkpoint that do not fit; a swarm that is a baseline's, unless
+/// @throws InputError  shapes, options or a checkpoint that do not fit; a checkpoint of another kind than a
+///                     search over placements; a swarm that is a baseline's, unless
 ///                     hooks.optimise knows it
 [[nodiscard]] NestResult run_nest(const NestConfig& config, const NestHooks& hooks = {});
 

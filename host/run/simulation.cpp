@@ -1,10 +1,11 @@
 #include "run/simulation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "body/hydrostatics.hpp"
@@ -12,6 +13,7 @@
 #include "parse.hpp"
 #include "physics/units.hpp"
 #include "problem/problem.hpp"
+#include "session/pipeline.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -51,7 +53,7 @@ std::vector<double> scan_speeds(const Subject& subject, double rpm) {
 }
 
 /// A problem's setting as a number; problems refuse what is none.
-double setting(const RunConfig& config, const std::string& name, const char* unit, double otherwise) {
+double setting(const Asked& config, const std::string& name, const char* unit, double otherwise) {
   const auto settings = settings_of(config, "problem");
   const auto found = settings.find(name);
   return found == settings.end() ? otherwise : parse_with_unit(found->second, unit).value_or(otherwise);
@@ -80,18 +82,54 @@ std::vector<RightingArm> float_of(const Subject& subject, const Moments& s, cons
   return {weaker_side(afloat, axis, control), weaker_side(afloat, axis + std::numbers::pi / 2, control)};
 }
 
+/// rpm; NaN: at no speed.
+double above(const Moments& s, double length_mm, Contact contact) {
+  return stable_above(stable_rpm(s, length_mm, contact)).value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+/// What is centred spins in the air.
+std::vector<Contact> usual_contacts(const ProblemEntry& problem) {
+  if (problem.centred) return {Contact::free};
+  return {Contact::gliding, Contact::held};
+}
+
+/// How an experiment sets a part in motion where it says nothing else. @return  false: no speed will do
+bool choose_motion(SimulationSpec& motion, const Subject& subject) {
+  const double length = subject.solid.frame.length;
+  const auto contacts_to_try = motion.contact ? std::vector<Contact>{*motion.contact}
+                                              : usual_contacts(find_problem(subject.config.problem));
+  for (const Contact contact : contacts_to_try) {
+    const double part = above(subject.part, length, contact),
+                 solid = above(subject.solid.solid, length, contact);
+    if (!(part > 0)) continue;
+    motion.contact = contact;
+    motion.spin.rpm = solid > part ? std::min(1.1 * part, std::sqrt(part * solid)) : 1.1 * part;
+    return true;
+  }
+  return false;
+}
+
 SimulatedBody look_at(const Subject& subject, const Moments& s, const Problem& problem,
                       const Simulation& simulation, const Control& control) {
   const double length = subject.solid.frame.length;
   SimulatedBody body;
   body.moments = s;
   body.verdict = problem.verify(s, length);
-  if (problem.name() == "stand")
-    body.toppling = stand_of(subject, s);
-  else if (problem.name() == "float")
-    body.righting = float_of(subject, s, control);
-  else
-    body.spin = check_spin(s, length, simulation.spin);
+  switch (find_problem(simulation.config.problem).moves) {
+    case Moves::nothing:
+      break;
+    case Moves::topples:
+      body.toppling = stand_of(subject, s);
+      break;
+    case Moves::heels:
+      body.righting = float_of(subject, s, control);
+      break;
+    case Moves::spins:
+      body.above = {body.verdict.values.at("omega_min_rpm"), above(s, length, Contact::gliding),
+                    above(s, length, Contact::held)};
+      if (simulation.spin.rpm > 0) body.spin = check_spin(s, length, simulation.spin);
+      break;
+  }
   if (simulation.axle_mm > 0) body.fall = yoyo_fall(s, simulation.axle_mm / length);
   control.stop_if_asked();
   return body;
@@ -99,18 +137,30 @@ SimulatedBody look_at(const Subject& subject, const Moments& s, const Problem& p
 
 }  // namespace
 
-Simulation simulate(const Subject& subject, const SimulationSpec& spec, const device::Device& device,
-                    const Control& control) {
+namespace {
+
+/// @throws InputError  a problem of which nothing moves
+const ProblemEntry& moving_problem(const std::string& name) {
+  const ProblemEntry& problem = find_problem(name);
+  if (problem.moves != Moves::nothing) return problem;
+  std::vector<std::string_view> moving;
+  for (const ProblemEntry& other : problems())
+    if (other.moves != Moves::nothing) moving.push_back(other.name);
+  throw InputError(
+      fmt::format("nothing of the problem '{}' moves; expected one of: {}", name, fmt::join(moving, ", ")));
+}
+
+/// @param still  nothing is set in motion where no speed is given; else one is found
+Simulation simulated(const Subject& subject, const SimulationSpec& spec, bool still,
+                     const device::Device& device, const Control& control) {
   const RunConfig& config = subject.config;
-  constexpr std::array<std::string_view, 5> simulated = {"spin", "top", "yoyo", "stand", "float"};
-  if (std::ranges::find(simulated, config.problem) == simulated.end())
-    throw InputError(fmt::format(
-        "nothing of the problem '{}' moves; expected spin, top, yoyo, stand or float", config.problem));
-  if (spec.axle_mm != 0 && (config.problem != "yoyo" || !(spec.axle_mm > 0)))
+  const ProblemEntry& asked = moving_problem(config.problem);
+  if (spec.axle_mm != 0 && (!asked.centred || !(spec.axle_mm > 0)))
     throw InputError(fmt::format("an axle of radius {} mm for {}; expected one > 0 for yoyo", spec.axle_mm,
                                  config.problem));
   Simulation result;
-  result.config = config;
+  static_cast<RunConfig&>(result.config) = config;
+  result.config.motion = spec;
   result.provenance = make_provenance(device);
   result.body_name = subject.solid.name;
   result.length_mm = subject.solid.frame.length;
@@ -118,8 +168,8 @@ Simulation simulate(const Subject& subject, const SimulationSpec& spec, const de
   result.hollow = subject.hollow;
   result.axle_mm = spec.axle_mm;
   result.spin = spec.spin;
-  if (!find_problem(config.problem).upright) {
-    result.spin.contact = spec.contact.value_or(config.problem == "yoyo" ? Contact::free : Contact::gliding);
+  if (asked.moves == Moves::spins && !still) {
+    result.spin.contact = spec.contact.value_or(usual_contacts(asked).front());
     if (result.spin.rpm == 0) result.spin.rpm = default_rpm(subject, result.spin.contact);
     if (spec.scan) result.spin.scan_rpm = scan_speeds(subject, result.spin.rpm);
     result.spin.stop = [stop = control.stop] { return stop.stop_requested(); };
@@ -128,6 +178,39 @@ Simulation simulate(const Subject& subject, const SimulationSpec& spec, const de
   result.solid = look_at(subject, subject.solid.solid, *problem, result, control);
   result.part = look_at(subject, subject.part, *problem, result, control);
   return result;
+}
+
+}  // namespace
+
+Simulation simulate(const Subject& subject, const SimulationSpec& spec, const device::Device& device,
+                    const Control& control) {
+  return simulated(subject, spec, false, device, control);
+}
+
+Simulation run_simulation(const SimulationRun& asked, const Control& control) {
+  const ProblemEntry& problem = moving_problem(asked.problem);
+  const RunResult result = run(asked, {}, control).result;
+  if (result.outcome.termination == Termination::interrupted) throw Interrupted();
+  if (!(result.verified.moments[S1] > 0)) {
+    Simulation none;
+    none.config = asked;
+    none.provenance = result.provenance;
+    none.body_name = result.body_name;
+    none.termination = to_string(result.outcome.termination);
+    none.made = false;
+    return none;
+  }
+  device::Device device(asked.device);
+  const Subject subject = subject_of_run(result, device);
+  SimulationSpec motion = asked.motion;
+  if (problem.centred) motion.axle_mm = asked.body.axle.radius.value_or(0);
+  const bool found = problem.moves != Moves::spins || motion.spin.rpm > 0 || choose_motion(motion, subject);
+  control.tell("set in motion");
+  Simulation all = simulated(subject, motion, !found, device, control);
+  all.config = asked;
+  all.provenance = result.provenance;
+  all.termination = to_string(result.outcome.termination);
+  return all;
 }
 
 }  // namespace kreisel::core

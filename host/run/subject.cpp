@@ -1,5 +1,7 @@
 #include "run/subject.hpp"
 
+#include <cmath>
+
 #include "body/mesh_moments.hpp"
 #include "body/source.hpp"
 #include "mesh/solid/components.hpp"
@@ -41,6 +43,27 @@ Subject subject_of_mesh(const RunConfig& config, device::Device& device) {
   const Moments voids = body.solid - body.added - material;
   subject.part =
       subject.hollow ? Moments(body.solid - (1 - body.void_density / body.density) * voids) : body.solid;
+  return subject;
+}
+
+Subject subject_of_run(const RunResult& r, device::Device& device) {
+  return subject_of_numbers(
+      r.config, {r.body_name, r.length_mm, r.mass_unit_grams, r.solid, r.verified.moments}, device);
+}
+
+Subject subject_of_numbers(const RunConfig& config, const SubjectNumbers& numbers, device::Device& device) {
+  Subject subject;
+  subject.config = config;
+  const ProblemEntry& problem = find_problem(config.problem);
+  if (problem.upright) {  // these ask for its surface, too
+    subject.solid = make_body(problem.posed(config.body), device);
+  } else {
+    subject.solid.name = numbers.name;
+    subject.solid.frame.length = numbers.length_mm;
+    subject.solid.density = numbers.mass_unit_grams / std::pow(numbers.length_mm, 3) * 1e3;
+    subject.solid.solid = numbers.solid;
+  }
+  subject.part = numbers.part;
   return subject;
 }
 

@@ -1,7 +1,7 @@
 // subject.hpp - what a simulation looks at: a solid and the part that was made of it.
 #pragma once
 
-#include "session/config.hpp"
+#include "session/result.hpp"
 
 namespace kreisel::core {
 
@@ -17,5 +17,17 @@ struct Subject {
 /// as it is.
 /// @throws InputError  as make_body()
 [[nodiscard]] Subject subject_of_mesh(const RunConfig& config, device::Device& device);
+
+/// Of a solve that made a part. @throws InputError  as make_body()
+[[nodiscard]] Subject subject_of_run(const RunResult& result, device::Device& device);
+
+/// The same of numbers that are known of one.
+struct SubjectNumbers {
+  std::string name;
+  double length_mm = 1, mass_unit_grams = 1;
+  Moments solid = Moments::Zero(), part = Moments::Zero();  ///< body frame and units
+};
+[[nodiscard]] Subject subject_of_numbers(const RunConfig& config, const SubjectNumbers& numbers,
+                                         device::Device& device);
 
 }  // namespace kreisel::core

@@ -1,4 +1,5 @@
-// config.hpp - everything that defines one run; what `bench` parses and every record stores.
+// config.hpp - a question about one body, and the solve that answers it; what `bench` parses and records
+// store.
 #pragma once
 
 #include <map>
@@ -9,6 +10,7 @@
 
 #include "body/body.hpp"
 #include "domain/columns.hpp"
+#include "field.hpp"
 
 namespace kreisel::core {
 
@@ -20,18 +22,6 @@ enum class Rounding { nearest, fitted };
 /// the part takes minutes, the solve milliseconds.
 enum class Part { none, written };
 
-/// Where an axis runs through the body: through its lowest point along the axis, on which it then spins; or
-/// through the solid's centre of mass, on a peg as long as it takes to touch the ground at the lowest point's
-/// height.
-enum class Through { lowest, centre };
-
-/// Every orientation instead of one. [docs/map.md]
-struct MapConfig {
-  int axes = 2000;  ///< directions of the sphere
-  Through through = Through::lowest;
-  std::vector<std::string> drafts;  ///< of `float`: a case each, as `problem.draft` takes them
-};
-
 /// What a run may take, as a process of its own. 0: as much as there is.
 struct Limits {
   double gigabytes = 0;  ///< 1e9 bytes of memory in use; what is asked for and never touched does not count
@@ -40,55 +30,77 @@ struct Limits {
   [[nodiscard]] bool any() const { return gigabytes > 0 || seconds > 0; }
 };
 
-/// One run. Defaults are those of `bench --formulation rayrep`.
-struct RunConfig {
+/// What solves, maps and simulations have in common: what is asked of which body, over which domain, where.
+struct Asked {
   BodySpec body;
   std::string problem = "spin", formulation = "rayrep";
   std::string solver;  ///< empty: the first that works with the formulation, see solver_of()
   std::string domain;  ///< columns or exact; empty: the formulation's own, see domain_of()
   GridSpec grid;
   Wall wall;
-  Rounding rounding = Rounding::fitted;
-  Part part = Part::written;
   std::string device;             ///< selector, see device.hpp
   bool single_precision = false;  ///< forces the kernels to compensated single precision
-  std::map<std::string, std::string>
-      settings;                ///< `--set GROUP.NAME=VALUE`; groups: ipopt moment problem formulation solver
+  /// `--set GROUP.NAME=VALUE`, checked by whom they are for; groups: setting_groups()
+  std::map<std::string, std::string> settings;
+};
+
+/// A solve, and the part made of it. Defaults are those of `bench --formulation rayrep`.
+struct RunConfig : Asked {
+  Rounding rounding = Rounding::fitted;
+  Part part = Part::written;
   int repeat = 1;              ///< timed solves at most, >= 1
   double budget_seconds = 20;  ///< no further repetition starts once this is spent
   double certify = 0;          ///< relative gap to prove between result and bound; 0: no certificate
   Limits limits;               ///< of a run of an experiment
-  std::optional<MapConfig> map;  ///< the run is a map of orientations, by quadric and moment, not a solve
 };
 
-/// Sets one field from text, as the command line and TOML files name them: model, problem, formulation,
-/// solver, domain, resolution (N or NXxNYxNZ), level (of an octree: 2^level cells), wall, wall-to (centres or
-/// corners of voxels), rounding, part,
-/// axis, contact, up ("x,y,z"), unit, size, density, interior-density, void-density, axle, slot, axle-depth
-/// (mm), fineness, device, precision, repeat, budget, memory (GB), seconds, certify, and GROUP.NAME for
-/// settings. Any of axes, through and drafts ("20%,40%") makes the run a map.
+/// The fields of a solve, and those that other kinds of run have, too: model, problem, formulation, solver,
+/// domain, resolution (N or NXxNYxNZ), level (of an octree: 2^level cells), wall, ... Settings of the groups
+/// beside them are no fields (set_setting()), but for problems' that have an option of their own.
+[[nodiscard]] const Fields<Asked>& asked_fields();
+[[nodiscard]] const Fields<RunConfig>& solve_fields();
+/// What becomes of the optimum: rounding.
+[[nodiscard]] const Fields<RunConfig>& rounding_fields();
+
+/// ipopt, moment, slsqp, problem, formulation, solver.
+[[nodiscard]] const std::vector<std::string_view>& setting_groups();
+/// Whether it is GROUP.NAME with one of these groups.
+[[nodiscard]] bool is_setting(std::string_view key);
+/// @throws InputError  a group that is none of these
+void set_setting(Asked& asked, std::string_view key, std::string_view value);
+
+/// Sets one field from text, or a setting GROUP.NAME.
 ///
 /// @throws InputError  unknown key or unfit value; names both and what was expected
 void set_field(RunConfig& config, std::string_view key, std::string_view value);
 
 /// The solver that is asked for, or else the first that works with the formulation.
-[[nodiscard]] std::string solver_of(const RunConfig& config);
+[[nodiscard]] std::string solver_of(const Asked& asked);
 
-/// The domain that is asked for, or else the formulation's own: exact for quadric, columns for those that
-/// need voxels or whole cells.
+/// The domain that is asked for, or else the formulation's own.
 ///
-/// @throws InputError  exact with a formulation that cannot work on it
-[[nodiscard]] std::string domain_of(const RunConfig& config);
+/// @throws InputError  one that the formulation does not work on
+[[nodiscard]] std::string domain_of(const Asked& asked);
 
 /// The settings of one group, without its prefix.
-[[nodiscard]] std::map<std::string, std::string> settings_of(const RunConfig& config, std::string_view group);
+[[nodiscard]] std::map<std::string, std::string> settings_of(const Asked& asked, std::string_view group);
 
 /// Every field that defines the result (not repeat, budget and limits) as sorted key -> text; the identity of
 /// a run.
 [[nodiscard]] std::map<std::string, std::string> describe(const RunConfig& config);
 
 /// Stable file stem of a run: readable parts and a hash of describe(), e.g.
-/// "ellipsoid-80x52x51-spin-rayrep-ipopt-1a2b3c4d", or "bunny-100-spin-map-1a2b3c4d".
+/// "ellipsoid-80x52x51-spin-rayrep-ipopt-1a2b3c4d".
 [[nodiscard]] std::string run_name(const RunConfig& config);
+
+/// The same for any kind that asks of a body. @param fields  as describe() gives them  @param way  how it is
+/// answered: "rayrep-ipopt", "map"
+[[nodiscard]] std::string run_name(const Asked& asked, const std::map<std::string, std::string>& fields,
+                                   std::string_view way);
+
+/// "ellipsoid", of a mesh file its stem.
+[[nodiscard]] std::string model_text(const Asked& asked);
+/// "80x52x51", or "64" when only the longest side is given.
+[[nodiscard]] std::string grid_text(const GridSpec& grid);
 
 }  // namespace kreisel::core

@@ -1,6 +1,7 @@
 #include "session/orientation_map.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -76,10 +77,11 @@ Vec3 contact_of(const Body& body, const Vec3& axis, Through through) {
   return centre - up.dot(centre - lowest) * up;
 }
 
-std::vector<std::string> cases_of(const MapSpec& spec) {
-  if (spec.config.problem == "float") {
+std::vector<std::string> cases_of(const MapSpec& spec, const MapCases& cases) {
+  if (!cases.setting.empty()) {
     if (spec.drafts.empty())
-      throw InputError("a map of float without drafts; expected one or more, such as 60%");
+      throw InputError(fmt::format("a map of {} without {}s; expected one or more, such as {}",
+                                   spec.config.problem, cases.setting, cases.usual));
     return spec.drafts;
   }
   if (!spec.drafts.empty())
@@ -97,14 +99,10 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-MapSpec map_spec(const RunConfig& config) {
-  const MapConfig map = config.map.value_or(MapConfig{});
-  if (config.map && config.formulation != "quadric")
-    throw InputError(
-        fmt::format("a map of orientations by {}; expected formulation quadric", config.formulation));
-  MapSpec spec{config, sphere_directions(map.axes), map.drafts, map.through};
-  spec.config.map = map;
-  if (config.problem == "float" && spec.drafts.empty()) spec.drafts = {"20%", "40%", "60%", "80%"};
+MapSpec map_spec(const MapRun& map) {
+  MapSpec spec{map, sphere_directions(map.axes), map.drafts, map.through};
+  const std::optional<MapCases>& cases = find_problem(map.problem).map;
+  if (cases && spec.drafts.empty()) spec.drafts = cases->values;
   return spec;
 }
 
@@ -121,9 +119,9 @@ std::size_t OrientationMap::count_ok(std::size_t at_case) const {
 }
 
 std::optional<OrientationMap::Place> OrientationMap::best() const {
+  const std::string most = find_problem(config.problem).map.value_or(MapCases{}).most;
   const auto loss = [&](const MapAnswer& answer) {
-    if (config.problem != "float") return answer.objective;
-    return -answer.verdict.values.at("metacentric_height_mm");
+    return most.empty() ? answer.objective : -answer.verdict.values.at(most);
   };
   std::optional<Place> best;
   for (std::size_t a = 0; a < axes.size(); ++a)
@@ -141,11 +139,12 @@ std::optional<OrientationMap::Place> OrientationMap::best() const {
 }
 
 std::string OrientationMap::command(Place place) const {
-  RunConfig run = config;
-  const bool upright = find_problem(run.problem).upright;
+  RunConfig run;
+  static_cast<Asked&>(run) = config;
+  const ProblemEntry& problem = find_problem(run.problem);
+  const bool upright = problem.upright;
   run.body.axis = run.body.up = run.body.contact = std::nullopt;
-  run.map = std::nullopt;
-  if (!cases[place.at_case].empty()) run.settings["problem.draft"] = cases[place.at_case];
+  if (!cases[place.at_case].empty()) run.settings["problem." + problem.map->setting] = cases[place.at_case];
   std::string line = "bench";
   for (const auto& [key, value] : describe(run))
     line += key.find('.') != std::string::npos ? fmt::format(" --set {}", quoted(key + "=" + value))
@@ -159,8 +158,13 @@ namespace {
 /// @throws InputError  a problem that has no map, no axes, one without a direction
 const ProblemEntry& checked_problem(const MapSpec& spec) {
   const ProblemEntry& asked = find_problem(spec.config.problem);
-  if (asked.name != "spin" && asked.name != "float")
-    throw InputError(fmt::format("a map of {}; expected the problem spin or float", asked.name));
+  if (!asked.map) {
+    std::vector<std::string_view> mapped;
+    for (const ProblemEntry& other : problems())
+      if (other.map) mapped.push_back(other.name);
+    throw InputError(
+        fmt::format("a map of {}; expected the problem {}", asked.name, fmt::join(mapped, " or ")));
+  }
   if (spec.axes.empty()) throw InputError("a map without axes; expected one or more");
   for (const Vec3& axis : spec.axes)
     if (!axis.allFinite() || axis.norm() == 0)
@@ -192,9 +196,7 @@ OrientationMap map_orientations(Session& session, const MapSpec& spec, const Con
   const ProblemEntry& asked = checked_problem(spec);
   OrientationMap map;
   map.config = spec.config;
-  map.config.formulation = "quadric";
-  map.config.solver = "moment";
-  map.cases = cases_of(spec);
+  map.cases = cases_of(spec, *asked.map);
   map.through = spec.through;
   map.asked = spec.axes.size();
   const SolverEntry& solver = find_solver(map.config.solver, map.config.formulation);
@@ -229,7 +231,7 @@ OrientationMap map_orientations(Session& session, const MapSpec& spec, const Con
     const Vec3 t = turned.frame.to_body(body.frame.origin);
     std::vector<MapAnswer> here;
     for (const std::string& at_case : map.cases) {
-      if (!at_case.empty()) settings["draft"] = at_case;
+      if (!at_case.empty()) settings[asked.map->setting] = at_case;
       const Turned problem(asked.make(settings, turned), R, t);
       std::optional<MapAnswer> answer = sweep.answer(problem);
       if (!answer) break;

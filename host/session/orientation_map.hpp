@@ -6,24 +6,22 @@
 #include <string>
 #include <vector>
 
-#include "session/config.hpp"
+#include "session/map_run.hpp"
 #include "session/session.hpp"
 #include "solve/solver.hpp"
 
 namespace kreisel::core {
 
-/// What is asked. Formulation and solver are always `quadric` and `moment`.
+/// What is asked.
 struct MapSpec {
-  RunConfig config;        ///< body (its axis and up lay the rays of the one domain), problem, grid, wall
+  MapRun config;           ///< body (its axis and up lay the rays of the one domain), problem, grid, wall
   std::vector<Vec3> axes;  ///< model coordinates, any length but zero; z of the problem's frame
-  std::vector<std::string> drafts;  ///< of `float`: a case each, as `problem.draft` takes them
+  std::vector<std::string> drafts;  ///< a case each: values of MapCases::setting
   Through through = Through::lowest;
 };
 
-/// The map that config.map asks for; of `float` at 20, 40, 60 and 80 % of the height where it names no
-/// drafts.
-/// @throws InputError  it asks for a map by another formulation than quadric
-[[nodiscard]] MapSpec map_spec(const RunConfig& config);
+/// With the directions it asks for; at the cases of its problem where it names none.
+[[nodiscard]] MapSpec map_spec(const MapRun& map);
 
 /// The answer for one axis and case.
 struct MapAnswer {
@@ -36,7 +34,7 @@ struct MapAnswer {
 
 /// The map. Answers of axis a and case c stand at a * cases.size() + c.
 struct OrientationMap {
-  RunConfig config;  ///< with quadric and moment
+  MapRun config;
   Through through = Through::lowest;
   Provenance provenance;
   std::string body_name;
@@ -47,7 +45,7 @@ struct OrientationMap {
   std::string domain;  ///< exact or columns
   std::size_t rays = 0;
 
-  std::vector<std::string> cases;    ///< drafts of `float`; else one, without a name
+  std::vector<std::string> cases;    ///< values of MapCases::setting; else one, without a name
   std::vector<Vec3> axes, contacts;  ///< of those answered, model coordinates (mm), in the order given
   std::vector<MapAnswer> answers;
   std::size_t asked = 0;  ///< axes; more than were answered when the user stopped it
@@ -62,8 +60,8 @@ struct OrientationMap {
   struct Place {
     std::size_t axis, at_case;
   };
-  /// The best of those whose verdict is good, else of the feasible ones; nothing when none is. To spin: of
-  /// least objective; to float: of largest metacentric height.
+  /// The best of those whose verdict is good, else of the feasible ones, as MapCases::most says; nothing when
+  /// none is.
   [[nodiscard]] std::optional<Place> best() const;
 
   /// The line that makes, writes and verifies the part of one place: `bench --axis ... --contact ...`.
@@ -73,7 +71,7 @@ struct OrientationMap {
 /// Solves every axis and case over the one domain, each by itself: the answers depend on no order.
 ///
 /// On Ctrl-C it ends early and keeps what is done, spread evenly over the axes.
-/// @throws InputError   bad configuration or mesh, a problem that is neither spin nor float, no axes
+/// @throws InputError   bad configuration or mesh, a problem that is not mapped, no axes
 /// @throws Interrupted  before the sweep began
 [[nodiscard]] OrientationMap map_orientations(Session& session, const MapSpec& spec,
                                               const Control& control = {});

@@ -20,16 +20,16 @@ std::string options_of(const OrientationMap& map, std::size_t axis) {
 }  // namespace
 
 std::string other_axes(Session& session, const RunConfig& config, const Vec3& asked, const Control& control) {
-  RunConfig coarse = config;
+  MapRun coarse;
+  static_cast<Asked&>(coarse) = config;
+  coarse.formulation = MapRun().formulation;
+  coarse.solver = MapRun().solver;
   coarse.grid = {};
   coarse.grid.resolution = 48;
-  coarse.formulation = "quadric";
-  coarse.solver.clear();
   coarse.domain.clear();
   std::erase_if(coarse.settings, [](const auto& setting) { return !setting.first.starts_with("problem."); });
   coarse.body.contact.reset();
-  coarse.map.emplace();
-  coarse.map->axes = 500;
+  coarse.axes = 500;
   const OrientationMap map = map_orientations(session, map_spec(coarse), control);
   const std::size_t good = map.count_ok(0);
   if (good == 0)

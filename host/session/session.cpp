@@ -13,7 +13,7 @@ namespace {
 bool same_pose(const Body& a, const Body& b) { return a.axis == b.axis && a.contact == b.contact; }
 
 /// Lays the body anew where rays along its axis would run along the cut, and nobody asked for them.
-void lay_rays_across_the_cut(Body& body, const Body& made, const RunConfig& question) {
+void lay_rays_across_the_cut(Body& body, const Body& made, const Asked& question) {
   const BodySpec& given = question.body;
   if (given.axis || given.up || given.axle.radius) return;
   const ProblemEntry& asked = find_problem(question.problem);
@@ -56,7 +56,7 @@ std::shared_ptr<Value> Session::stage(std::string_view name, Kept<Key, Value>& k
   });
 }
 
-std::shared_ptr<device::Device> Session::device_of(const RunConfig& question) {
+std::shared_ptr<device::Device> Session::device_of(const Asked& question) {
   if (given_device_) return given_device_;
   return stage("device", device_, {question.device, question.single_precision}, [&] {
     provenance_.reset();
@@ -66,7 +66,7 @@ std::shared_ptr<device::Device> Session::device_of(const RunConfig& question) {
   });
 }
 
-std::shared_ptr<const Body> Session::body_of(const RunConfig& question, const BodySpec& spec,
+std::shared_ptr<const Body> Session::body_of(const Asked& question, const BodySpec& spec,
                                              const std::shared_ptr<device::Device>& device) {
   const BodySpec& given = question.body;
   const std::shared_ptr<const Source> source =
@@ -81,7 +81,7 @@ std::shared_ptr<const Body> Session::body_of(const RunConfig& question, const Bo
   });
 }
 
-std::shared_ptr<const Body> Session::pose_of(const RunConfig& question, const BodySpec& spec,
+std::shared_ptr<const Body> Session::pose_of(const Asked& question, const BodySpec& spec,
                                              const std::shared_ptr<const Body>& body) {
   Settings laid_by;
   if (find_problem(question.problem).rays)
@@ -95,7 +95,7 @@ std::shared_ptr<const Body> Session::pose_of(const RunConfig& question, const Bo
   });
 }
 
-RunDomain Session::domain_within(const RunConfig& question, const Body& pose) {
+RunDomain Session::domain_within(const Asked& question, const Body& pose) {
   RunDomain domain;
   if (kreisel::core::domain_of(question) == "exact") {
     const auto& lines = lines_.get({body_.value(), pose.axis, pose.contact, question.grid}, [&] {
@@ -108,7 +108,7 @@ RunDomain Session::domain_within(const RunConfig& question, const Body& pose) {
   return domain;
 }
 
-std::shared_ptr<const Session::Laid> Session::domain_of(const RunConfig& question,
+std::shared_ptr<const Session::Laid> Session::domain_of(const Asked& question,
                                                         const std::shared_ptr<const Body>& pose, Along rays) {
   DomainKey key{body_.value(), pose->axis,   pose->contact, kreisel::core::domain_of(question),
                 question.grid, question.wall};
@@ -130,7 +130,7 @@ std::shared_ptr<const Session::Laid> Session::domain_of(const RunConfig& questio
   });
 }
 
-std::shared_ptr<const Problem> Session::problem_of(const RunConfig& question,
+std::shared_ptr<const Problem> Session::problem_of(const Asked& question,
                                                    const std::shared_ptr<const Body>& pose,
                                                    const std::shared_ptr<const Body>& rays) {
   const Settings settings = settings_of(question, "problem");
@@ -144,7 +144,7 @@ std::shared_ptr<const Problem> Session::problem_of(const RunConfig& question,
   });
 }
 
-std::shared_ptr<Formulation> Session::formulation_of(const RunConfig& question, const Laid& laid,
+std::shared_ptr<Formulation> Session::formulation_of(const Asked& question, const Laid& laid,
                                                      const Problem& problem,
                                                      const std::shared_ptr<device::Device>& device) {
   const Settings settings = settings_of(question, "formulation");
@@ -162,7 +162,7 @@ std::shared_ptr<Formulation> Session::formulation_of(const RunConfig& question, 
       });
 }
 
-Stages Session::stages(const RunConfig& question, const Control& control, Along rays) {
+Stages Session::stages(const Asked& question, const Control& control, Along rays) {
   made_.clear();
   // What needs no work is checked first, so that a typing error costs no time.
   const ProblemEntry& asked = find_problem(question.problem);

@@ -63,7 +63,7 @@ class Session {
   /// Everything that the question stands on.
   /// @throws InputError   bad configuration or mesh
   /// @throws Interrupted  between two stages; those made are kept
-  [[nodiscard]] Stages stages(const RunConfig& question, const Control& control = {},
+  [[nodiscard]] Stages stages(const Asked& question, const Control& control = {},
                               Along rays = Along::own_axis);
 
   /// The stages that the last question made anew, in their order: device, mesh, body, pose, domain,
@@ -133,19 +133,17 @@ class Session {
 
   template <class Key, class Value, class Make>
   std::shared_ptr<Value> stage(std::string_view name, Kept<Key, Value>& kept, Key key, const Make& make);
-  std::shared_ptr<device::Device> device_of(const RunConfig& question);
-  std::shared_ptr<const Body> body_of(const RunConfig& question, const BodySpec& spec,
+  std::shared_ptr<device::Device> device_of(const Asked& question);
+  std::shared_ptr<const Body> body_of(const Asked& question, const BodySpec& spec,
                                       const std::shared_ptr<device::Device>& device);
-  std::shared_ptr<const Body> pose_of(const RunConfig& question, const BodySpec& spec,
+  std::shared_ptr<const Body> pose_of(const Asked& question, const BodySpec& spec,
                                       const std::shared_ptr<const Body>& body);
-  std::shared_ptr<const Laid> domain_of(const RunConfig& question, const std::shared_ptr<const Body>& pose,
+  std::shared_ptr<const Laid> domain_of(const Asked& question, const std::shared_ptr<const Body>& pose,
                                         Along rays);
-  RunDomain domain_within(const RunConfig& question, const Body& pose);
-  std::shared_ptr<Formulation> formulation_of(const RunConfig& question, const Laid& laid,
-                                              const Problem& problem,
+  RunDomain domain_within(const Asked& question, const Body& pose);
+  std::shared_ptr<Formulation> formulation_of(const Asked& question, const Laid& laid, const Problem& problem,
                                               const std::shared_ptr<device::Device>& device);
-  std::shared_ptr<const Problem> problem_of(const RunConfig& question,
-                                            const std::shared_ptr<const Body>& pose,
+  std::shared_ptr<const Problem> problem_of(const Asked& question, const std::shared_ptr<const Body>& pose,
                                             const std::shared_ptr<const Body>& rays);
 
   std::shared_ptr<const Source> given_;

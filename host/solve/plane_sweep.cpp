@@ -100,8 +100,9 @@ Outcome solve_with_plane_sweep(const Task& task, const SolverOptions&) {
   const auto* stand = dynamic_cast<const Stand*>(&task.problem);
   if (!stand)
     throw InputError(
-        fmt::format("solver 'plane-sweep' for {}; expected the problem stand with target = centre or inside",
-                    task.problem.name() == "stand" ? "stand with target = max-tilt" : task.problem.name()));
+        fmt::format("solver 'plane-sweep' for {} as it is set; expected the problem stand with target = centre "
+                    "or inside",
+                    task.problem.name()));
   Outcome outcome;
   task.device.reset_kernel_seconds();
   const Stopwatch watch;

@@ -42,6 +42,14 @@ class DesignNest : public ::testing::Test {
   const TemporaryFolder folder_;
 };
 
+TEST_F(DesignNest, HeedsKeepOuts) {
+  const BenchAnswer a =
+      run(fmt::format("duck --fineness 16 --keep-out 900,900,900,1 -o {}", file("duck.stl")));
+  EXPECT_EQ(a.code, 2) << a.out;
+  EXPECT_NE(a.out.find("no vertex of the outer shape lies in it"), std::string::npos) << a.out;
+  EXPECT_EQ(files(), 0u);
+}
+
 TEST_F(DesignNest, WritesPartsThatComeApart) {
   const BenchAnswer a = run(fmt::format("duck --fineness 20 --layers 2 --size 90 -o {} --json {}",
                                         file("duck.stl"), file("report.json")));

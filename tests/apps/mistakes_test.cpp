@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"--solver plane-sweep --problem stand", "does not work with formulation 'rayrep'"},
         Mistake{"--solver plane-sweep --formulation voxel --problem stand --target max-tilt --model kitten "
                 "--resolution 16",
-                "solver 'plane-sweep' for stand with target = max-tilt; expected"},
+                "solver 'plane-sweep' for stand as it is set; expected the problem stand with target"},
         Mistake{"--precision singel", "expected automatic or single"},
         Mistake{"--rounding fited", "expected nearest or fitted"},
         Mistake{"--wall -1", "expected a positive number"},

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "apps/run_bench.hpp"
@@ -64,12 +65,34 @@ TEST_F(BenchLayers, MapsHowLargeOutlinesNestAndCertifiesTheBest) {
   EXPECT_TRUE(draws("nest_landscape", "map.h5"));
 }
 
+TEST_F(BenchLayers, APagmoSearchTakesFilesWithSpacesAndLayers) {
+  write_mesh(folder_.path / "a cube.off", {box_mesh({0, 0, 0}, {4, 4, 4})});
+  std::ofstream(file("spaces.toml")) << fmt::format(
+      "table = 'nestings'\nouter = '{}'\nfree = 'position,centroid-plane'\nswarm = 'pagmo-de'\nparticles = "
+      "8\n"
+      "iterations = 3\ncentroid = '-1,-1,-1'\n[[run]]\nlabel = 'one'\n",
+      file("a cube.off"));
+  std::ofstream(file("layers.toml")) << fmt::format(
+      "table = 'nest-layers'\nouter = '{0}'\nwithin = '{1}'\nfree = 'position,centroid-plane'\n"
+      "swarm = 'pagmo-de'\nparticles = 8\niterations = 3\nlayers = 2\n[[run]]\n",
+      file("cube.off"), file("a\\ cube.off"));
+  for (const char* name : {"spaces", "layers"}) {
+    const BenchAnswer a =
+        bench(fmt::format("run '{}' --results '{}'", file(name + std::string(".toml")), file("results")));
+    EXPECT_EQ(a.code, 0) << a.out;
+    EXPECT_NE(a.out.find("1 runs done, 0 finished before, 0 failed"), std::string::npos) << a.out;
+  }
+}
+
 TEST_F(BenchLayers, RefusesWhatDoesNotGoTogetherInOneLine) {
   for (const auto& [arguments, says] :
        {std::pair{"--layers 2", "layers without free; expected"},
-        std::pair{"--wall 1", "without layers; expected"},
+        std::pair{"--wall 1",
+                  "wall: a search of the scale has no such field; expected a kind that has it: layers"},
         std::pair{"--free all --layers 2 --wall -1", "wall = '-1'; expected a number >= 0"},
-        std::pair{"--landscape 4 --free all", "landscape with free or scale; expected"},
+        std::pair{
+            "--landscape 4 --free all",
+            "free: a landscape of outlines has no such field; expected a kind that has it: swarm, layers"},
         std::pair{"--landscape 4 --view 0,0,1", "silhouette seen along its up direction"},
         std::pair{"--keep-shapes maybe", "keep-shapes = 'maybe'; expected yes or no"}}) {
     const BenchAnswer a = nest(arguments);

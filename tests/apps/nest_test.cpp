@@ -118,14 +118,66 @@ TEST_F(BenchNest, ASearchHeedsKeepOutsTopologyAndWhatIsFixed) {
   }
 }
 
+// The ball reaches the outer surface alone, not that of the space inside the wall.
+TEST_F(BenchNest, TheOutermostCutOfLayersHeedsKeepOuts) {
+  write_mesh(folder_.path / "ball.off", {nest::ball(8)});
+  for (const int seed : {1, 2, 3, 4}) {
+    const BenchAnswer a =
+        bench(fmt::format("nest --outer '{}/ball.off' --layers 1 --wall 0.35 --cells 48 --free plane,removal "
+                          "--keep-out 0,0,1,0.3 "
+                          "1,0,0,0.3 --particles 12 --iterations 6 --climb-iterations 5 --seed {} --json -",
+                          folder_.path.string(), seed));
+    ASSERT_EQ(a.code, 0) << a.out;
+    const auto j = nlohmann::json::parse(a.out);
+    const auto vector = [](const nlohmann::json& v) { return Vec3(v.at(0), v.at(1), v.at(2)); };
+    const Vec3 normal = vector(j.at("plane").at("normal")), point = vector(j.at("plane").at("point"));
+    for (const Vec3& centre : {Vec3(Vec3::UnitZ()), Vec3(Vec3::UnitX())}) {
+      const Vec3 across = centre.cross(Vec3::UnitY());
+      for (int k = 0; k < 12; ++k) {  // on the rim of a cap of radius 0.25
+        const double t = k * std::numbers::pi / 6;
+        const Vec3 rim = std::sqrt(1 - 0.0625) * centre +
+                         0.25 * (std::cos(t) * across + std::sin(t) * Vec3(Vec3::UnitY()));
+        EXPECT_GT(normal.dot(centre - point) * normal.dot(rim - point), 0) << "the cap stays whole";
+      }
+    }
+  }
+  const BenchAnswer far = bench(fmt::format(
+      "nest --outer '{}/ball.off' --layers 1 --free all --keep-out 9,9,9,0.1", folder_.path.string()));
+  EXPECT_EQ(far.code, 2) << far.out;
+  EXPECT_NE(far.out.find("no vertex of the outer shape lies in it"), std::string::npos) << far.out;
+}
+
+TEST_F(BenchNest, RefusesWhatAKindOfNestingWouldIgnore) {
+  const std::string no = " has no such field; expected a kind that has it: ";
+  for (const auto& [arguments, says] :
+       {std::pair{"--layers 2 --free all --timings 3", "timings: a nesting of layers" + no},
+        std::pair{"--layers 2 --free all --centroid 0,0,0", "centroid: a nesting of layers" + no},
+        std::pair{"--layers 2 --free all --through 0,0,0", "through: a nesting of layers" + no},
+        std::pair{"--particles 30", "particles: a search of the scale" + no + "swarm, layers"},
+        std::pair{"--seconds 3", "seconds: a search of the scale" + no + "swarm, layers"},
+        std::pair{"--keep-out 0,0,1,1", "keep-out: a search of the scale" + no + "swarm, layers"},
+        std::pair{"--layers 2 --free all --checkpoint /tmp/x.h5",
+                  std::string("--checkpoint of a nesting of layers")}}) {
+    const BenchAnswer a = nest(arguments);
+    EXPECT_EQ(a.code, 2) << a.out;
+    EXPECT_NE(a.out.find(says), std::string::npos) << a.out;
+  }
+}
+
+TEST_F(BenchNest, LooksForEveryShapeBeforeItWorks) {
+  const BenchAnswer a = nest("--layers 2 --free all --within nosuchmodel");
+  EXPECT_EQ(a.code, 2) << a.out;
+  EXPECT_NE(a.out.find("nosuchmodel"), std::string::npos) << a.out;
+}
+
 TEST_F(BenchNest, RefusesUnknownFreedomsAndVariantsInOneLine) {
   for (const auto& [arguments, says] :
        {std::pair{"--free rotatoin", "free part 'rotatoin' is unknown (did you mean 'rotation'?)"},
         std::pair{"--free all --swarm hybird", "variant 'hybird' is unknown (did you mean 'hybrid'?)"},
         std::pair{"--free all --particles 0", "particles = 0; expected at least one"},
         std::pair{"--free all --swarm pagmo-de", "the program nest_baseline"},
-        std::pair{"--checkpoint /tmp/x.h5", "--checkpoint without --free"},
-        std::pair{"--keep-out 1,2,3", "keep-out = '1,2,3'; expected a ball"},
+        std::pair{"--checkpoint /tmp/x.h5", "--checkpoint of a search of the scale; expected"},
+        std::pair{"--free all --keep-out 1,2,3", "keep-out = '1,2,3'; expected a ball"},
         std::pair{"--free all --keep-out 9,9,9,0.1", "no vertex of the outer shape lies in it"},
         std::pair{"--resume nowhere.h5", "nowhere.h5: cannot be opened"},
         std::pair{"--timings -1", "timings = '-1'; expected"}}) {

@@ -20,7 +20,7 @@ Experiment parse(const std::string& text) { return parse_experiment(text, "folde
 
 std::vector<std::string> names(const Experiment& experiment) {
   std::vector<std::string> all;
-  for (const auto& run : experiment.runs) all.push_back(run_text(run.config));
+  for (const auto& run : experiment.runs) all.push_back(run_text(run));
   return all;
 }
 
@@ -52,8 +52,8 @@ TEST(Experiment, ListsOfDefaultsVarySlowestAndARunReplacesThemWhole) {
   EXPECT_EQ(names(experiment),
             (Texts{"ellipsoid 32 rayrep ipopt", "ellipsoid 32 voxel ipopt", "ellipsoid 40x30x20 rayrep ipopt",
                    "ellipsoid 40x30x20 voxel ipopt", "ellipsoid 16 rayrep ipopt"}));
-  EXPECT_EQ(experiment.runs[0].config.repeat, 5);
-  EXPECT_EQ(experiment.runs[4].config.repeat, 2);
+  EXPECT_EQ(experiment.runs[0].solve().repeat, 5);
+  EXPECT_EQ(experiment.runs[4].solve().repeat, 2);
 }
 
 TEST(Experiment, NamesItselfAfterItsFileAndKeepsWhatItSaysOfItsTable) {
@@ -78,9 +78,9 @@ TEST(Experiment, ReadsSettingsNestedOrQuotedAndMultipliesThemOutToo) {
   ASSERT_EQ(experiment.runs.size(), 2u);
   using Settings = std::map<std::string, std::string>;
   EXPECT_EQ(
-      experiment.runs[0].config.settings,
+      experiment.runs[0].asked().settings,
       (Settings{{"ipopt.mehrotra_algorithm", "yes"}, {"ipopt.tol", "1e-09"}, {"solver.start", "middle"}}));
-  EXPECT_EQ(experiment.runs[1].config.settings.at("solver.start"), "lower");
+  EXPECT_EQ(experiment.runs[1].asked().settings.at("solver.start"), "lower");
 }
 
 TEST(Experiment, GivesEachRunItsLabelAndMesh) {
@@ -109,8 +109,8 @@ TEST(Experiment, TakesAGapToCertify) {
   const TemporaryFolder folder;
   const auto experiment = read_experiment(
       folder.write("gap.toml", "certify = 1e-3\n[[run]]\nmodel = \"bird\"\n[[run]]\ncertify = 0.01"));
-  EXPECT_EQ(experiment.runs.at(0).config.certify, 1e-3);
-  EXPECT_EQ(experiment.runs.at(1).config.certify, 0.01);
+  EXPECT_EQ(experiment.runs.at(0).solve().certify, 1e-3);
+  EXPECT_EQ(experiment.runs.at(1).solve().certify, 0.01);
 }
 
 TEST(Experiment, RefusesWhatIsNotToml) { refuses("repeat = 5\nbudget = = 3\n[[run]]", 2, {"TOML"}); }
@@ -138,14 +138,14 @@ TEST(Experiment, TakesMapsBesideNothingElse) {
       "table = 'maps'\naxes = 50\n[[run]]\nproblem = 'float'\ndrafts = '20%,40%'\n"
       "[[run]]\nthrough = ['lowest', 'centre']");
   ASSERT_EQ(maps.runs.size(), 3u);
-  const RunConfig& floats = maps.runs[0].config;
+  const auto& floats = std::get<MapRun>(maps.runs[0].run);
   EXPECT_EQ(floats.formulation, "quadric");
-  EXPECT_EQ(floats.map.value().axes, 50);
-  EXPECT_EQ(floats.map.value().drafts, (std::vector<std::string>{"20%", "40%"}));
+  EXPECT_EQ(floats.axes, 50);
+  EXPECT_EQ(floats.drafts, (std::vector<std::string>{"20%", "40%"}));
   EXPECT_EQ(describe(floats).at("drafts"), "20%,40%");
-  EXPECT_EQ(maps.runs[2].config.map.value().through, Through::centre);
-  EXPECT_NE(run_name(maps.runs[1].config), run_name(maps.runs[2].config));
-  EXPECT_TRUE(run_name(maps.runs[1].config).starts_with("ellipsoid-64-spin-map-"));
+  EXPECT_EQ(std::get<MapRun>(maps.runs[2].run).through, Through::centre);
+  EXPECT_NE(run_name(maps.runs[1].run), run_name(maps.runs[2].run));
+  EXPECT_TRUE(run_name(maps.runs[1].run).starts_with("ellipsoid-64-spin-map-"));
   refuses("[[run]]\naxes = 0", 2, {"axes", ">= 1"});
   refuses("[[run]]\nthrough = 'above'", 2, {"through", "lowest or centre"});
   refuses("[[run]]\naxes = 5", 2, {"table = \"maps\""});
@@ -155,7 +155,7 @@ TEST(Experiment, TakesMapsBesideNothingElse) {
 TEST(Experiment, RefusesAMeshOfARunThatMakesNoPart) {
   refuses("[[run]]\nmesh = true\npart = 'none'", 3, {"mesh", "part"});
   refuses("[[run]]\npart = 'some'", 2, {"none or written"});
-  EXPECT_EQ(parse("[[run]]\npart = 'none'").runs[0].config.part, Part::none);
+  EXPECT_EQ(parse("[[run]]\npart = 'none'").runs[0].solve().part, Part::none);
 }
 
 TEST(Experiment, RefusesASettingOfAnUnknownGroup) {
@@ -266,12 +266,12 @@ TEST(Experiment, CrossesSettingsWithEverythingElse) {
   ASSERT_EQ(experiment.runs.size(), 12u);
   std::map<std::string, int> seen;
   for (const auto& run : experiment.runs)
-    ++seen[run.config.body.model + ' ' + run.config.settings.at("solver.start") + ' ' +
-           run.config.settings.at("ipopt.hessian_approximation")];
+    ++seen[run.asked().body.model + ' ' + run.asked().settings.at("solver.start") + ' ' +
+           run.asked().settings.at("ipopt.hessian_approximation")];
   EXPECT_EQ(seen.size(), 12u) << "each combination once";
-  EXPECT_EQ(experiment.runs[1].config.settings.at("ipopt.hessian_approximation"), "limited-memory");
-  EXPECT_EQ(experiment.runs[1].config.settings.at("solver.start"), "lower");
-  EXPECT_EQ(experiment.runs[2].config.settings.at("solver.start"), "middle");
+  EXPECT_EQ(experiment.runs[1].asked().settings.at("ipopt.hessian_approximation"), "limited-memory");
+  EXPECT_EQ(experiment.runs[1].asked().settings.at("solver.start"), "lower");
+  EXPECT_EQ(experiment.runs[2].asked().settings.at("solver.start"), "middle");
 }
 
 /// Every experiment that comes with the program, so that a typing error in one fails here and not after an
@@ -297,7 +297,7 @@ TEST(RayrepTable1, RunsThePapersFiveBodiesUnderThreeLabels) {
   const auto printed = read_published(published_file("rayrep_table1"));
   std::map<std::string, int> count;
   for (const ExperimentRun& run : experiment.runs) {
-    const RunConfig& config = run.config;
+    const RunConfig& config = run.solve();
     ++count[run.label];
     EXPECT_NE(printed.find(RecordedRun{run}), nullptr) << config.body.model;
     EXPECT_EQ(config.formulation, "rayrep");
@@ -309,7 +309,8 @@ TEST(RayrepTable1, RunsThePapersFiveBodiesUnderThreeLabels) {
 TEST(SolverSettings, VaryOneFactorAtATimeAroundTheDefaults) {
   const auto experiment = read_experiment(data_folder() / "experiments" / "solver_settings.toml");
   std::map<std::string, int> defaults;
-  for (const auto& [config, nest, label, mesh] : experiment.runs) {
+  for (const auto& [run, label, mesh] : experiment.runs) {
+    const auto& config = std::get<RunConfig>(run);
     auto settings = config.settings;
     settings.erase("ipopt.max_iter");
     settings.erase("ipopt.max_cpu_time");
@@ -327,7 +328,8 @@ TEST(SolverSettings, VaryOneFactorAtATimeAroundTheDefaults) {
 TEST(RayrepTable2, SolvesThePapersSevenGridsThreeWaysUnderTwoLabels) {
   const auto experiment = read_experiment(data_folder() / "experiments" / "rayrep_table2.toml");
   std::map<std::string, int> count;
-  for (const auto& [config, nest, label, mesh] : experiment.runs) {
+  for (const auto& [run, label, mesh] : experiment.runs) {
+    const auto& config = std::get<RunConfig>(run);
     ++count[label + ' ' + config.formulation];
     EXPECT_EQ(config.problem, "spin");
     EXPECT_EQ(config.repeat, config.formulation == "quadric" ? 51 : 3);
@@ -357,7 +359,7 @@ TEST(IpoptUntouched, SolvesTheSameGridsWithNothingOfOursWithinLimits) {
   const auto printed = read_published(published_file("rayrep_table2"));
   std::map<std::string, std::set<const void*>> rows;
   for (const ExperimentRun& run : experiment.runs) {
-    const RunConfig& config = run.config;
+    const RunConfig& config = run.solve();
     rows[config.formulation + ' ' + config.settings.at("ipopt.hessian_approximation")].insert(
         printed.find(RecordedRun{run}));
     EXPECT_EQ(settings_of(config, "ipopt").size(), 1u) << "the Hessian alone";

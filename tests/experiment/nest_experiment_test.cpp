@@ -43,7 +43,7 @@ class NestExperiment : public testing::Test {
     hooks_.provenance = [](const ExperimentRun&) { return Provenance{}; };
     hooks_.nest = [this](const NestConfig& config, const Control&) {
       ran_.push_back(run_name(config));
-      return found(config, 0.5 + 0.01 * static_cast<double>(config.search.swarm.seed));
+      return found(config, 0.5 + 0.01 * static_cast<double>(seed_of(config)));
     };
   }
   [[nodiscard]] std::string table() const {
@@ -112,9 +112,11 @@ TEST_F(NestExperiment, SetsOutSettingsOverTheirSeeds) {
       "['von-neumann', 'ring']\n[[run]]\nclimbs = 0",
       "t.toml");
   hooks_.nest = [](const NestConfig& config, const Control&) {
-    const double seed = static_cast<double>(config.search.swarm.seed);
-    if (config.search.climbs == 0) return found(config, seed > 1 ? 0.3 : 0);
-    return found(config, (config.search.swarm.topology == nest::Topology::ring ? 0.6 : 0.5) + 0.01 * seed);
+    const double seed = static_cast<double>(seed_of(config));
+    if (part_of<NestSearch>(config)->search.climbs == 0) return found(config, seed > 1 ? 0.3 : 0);
+    return found(config,
+                 (part_of<NestSearch>(config)->search.swarm.topology == nest::Topology::ring ? 0.6 : 0.5) +
+                     0.01 * seed);
   };
   EXPECT_EQ(run_experiment(experiment_, options_, hooks_).done, 9);
   const std::string text = table();
@@ -135,14 +137,14 @@ TEST_F(NestExperiment, CountsTheSeedsThatReachWhatAPaperDoes) {
       "t.toml");
   hooks_.nest = [](const NestConfig& config, const Control&) {
     return found(config,
-                 0.6 + 0.0049 * static_cast<double>(config.search.swarm.seed));  // 0.6049 0.6098 0.6147
+                 0.6 + 0.0049 * static_cast<double>(seed_of(config)));  // 0.6049 0.6098 0.6147
   };
   (void)run_experiment(experiment_, options_, hooks_);
   // Samples say 0.6051, 0.6100 and 0.6149; the paper's 0.61.
   EXPECT_TRUE(line_of(table(), "defaults").ends_with("| 3 2")) << table();
 
   // A stand-in says nothing of the paper's shape.
-  for (ExperimentRun& run : experiment_.runs) run.nest->outer = "kitten";
+  for (ExperimentRun& run : experiment_.runs) run.nesting().outer = "kitten";
   (void)run_experiment(experiment_, options_, hooks_);
   EXPECT_TRUE(line_of(table(), "defaults").ends_with("| 3 -")) << table();
 }
@@ -183,12 +185,13 @@ TEST(NestExperiments, CallNothingAsPublishedThatIsNot) {
   std::size_t called = 0;
   for (const std::string& name : experiment_names())
     for (const ExperimentRun& run : read_experiment(data_folder() / "experiments" / (name + ".toml")).runs) {
-      if (!run.nest || run.label.find("as published") == std::string::npos) continue;
+      if (!std::holds_alternative<NestConfig>(run.run) || run.label.find("as published") == std::string::npos)
+        continue;
       ++called;
-      const nest::SwarmOptions& swarm = run.nest->search.swarm;
+      const nest::SwarmOptions& swarm = part_of<NestSearch>(run.nesting())->search.swarm;
       EXPECT_EQ(swarm.placing, nest::Placing::anywhere) << name;
-      EXPECT_EQ(run.nest->search.climbs, 0) << name;
-      EXPECT_EQ(run.nest->swarm, "hybrid+abort") << name;
+      EXPECT_EQ(part_of<NestSearch>(run.nesting())->search.climbs, 0) << name;
+      EXPECT_EQ(part_of<NestSearch>(run.nesting())->swarm, "hybrid+abort") << name;
       EXPECT_EQ(swarm.topology, nest::Topology::global) << name;
       EXPECT_EQ(swarm.momentum, nest::Momentum::constant) << name;
       EXPECT_EQ(swarm.particles, 200) << name;
@@ -211,8 +214,8 @@ TEST(NestExperiments, ThatComeWithTheProgramAreWhatTheySay) {
   const Published printed = read_published(published_file("nest_table1"));
   std::set<std::string> beside;
   for (const ExperimentRun& run : table1.runs) {
-    ASSERT_TRUE(run.nest);
-    EXPECT_EQ(run.nest->free, "all");
+    ASSERT_TRUE(std::holds_alternative<NestSwarm>(run.nesting().kind));
+    EXPECT_EQ(part_of<NestSearch>(run.nesting())->free, "all");
     const std::string row = run.label.substr(0, run.label.find(','));
     if (std::ranges::any_of(printed.rows, [&](const nlohmann::json& r) { return r.at("label") == row; }))
       beside.insert(row);
@@ -221,16 +224,17 @@ TEST(NestExperiments, ThatComeWithTheProgramAreWhatTheySay) {
   const Experiment dof = read("nest_dof");
   for (const ExperimentRun& run : dof.runs)
     if (run.label != "all free") {
-      EXPECT_EQ(run.nest->up, Vec3::UnitY());
+      EXPECT_EQ(part_of<NestSearch>(run.nesting())->up, Vec3::UnitY());
     }
   std::set<std::string> swarms, topologies;
   for (const ExperimentRun& run : read("pso_variants").runs) {
-    swarms.insert(run.nest->swarm);
-    topologies.emplace(to_string(run.nest->search.swarm.topology));
+    swarms.insert(part_of<NestSearch>(run.nesting())->swarm);
+    topologies.emplace(to_string(part_of<NestSearch>(run.nesting())->search.swarm.topology));
   }
   EXPECT_EQ(swarms.size(), nest::variants().size() + nest::baselines.size());
   EXPECT_EQ(topologies.size(), 4u);
-  for (const ExperimentRun& run : read("nest_accuracy").runs) EXPECT_GT(run.nest->accuracy, 0);
+  for (const ExperimentRun& run : read("nest_accuracy").runs)
+    EXPECT_GT(std::get<NestAccuracy>(run.nesting().kind).accuracy, 0);
 }
 
 TEST(NestExperiments, RefuseKeysOfSolvesAndWhatDoesNotFitWithTheLine) {

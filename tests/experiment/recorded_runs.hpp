@@ -39,7 +39,7 @@ inline RunResult optimal_result(const std::map<std::string, std::string>& settin
 /// What is on record for a result.
 inline RecordedRun recorded(const RunResult& result, const std::string& label = "") {
   RecordedRun run;
-  run.run.config = result.config;
+  run.run.run = result.config;
   run.run.label = label;
   run.record = Record{"record.h5", RecordKind::run, "", to_json(result)};
   return run;
@@ -49,7 +49,9 @@ inline RecordedRun recorded(const RunResult& result, const std::string& label = 
 inline RecordedRun failed_run(const RunResult& result, const std::string& error,
                               const std::string& label = "") {
   RecordedRun run = recorded(result, label);
-  run.record = Record{"record.h5", RecordKind::run, error, asked_json(result)};
+  nlohmann::json& summary = run.record->summary;
+  summary = {{"config", summary.at("config")}, {"device", summary.at("device")}, {"commit", summary.at("commit")}};
+  run.record->error = error;
   return run;
 }
 

@@ -70,7 +70,7 @@ class Runner : public testing::Test {
     hooks.run = [this, i, act, usual = hooks.run](const RunConfig& config, const std::string& mesh,
                                                   const Control& control) {
       RunOutput output = usual(config, mesh, control);
-      if (run_name(config) == run_name(experiment.runs[i].config)) act(output.result);
+      if (run_name(config) == run_name(experiment.runs[i].run)) act(output.result);
       return output;
     };
   }
@@ -90,14 +90,14 @@ TEST_F(Runner, RecordsEveryRunUnderItsNameInTheFolderOfTheExperiment) {
   EXPECT_EQ(counts.skipped + counts.failed + counts.unconverged, 0);
   EXPECT_FALSE(counts.interrupted);
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(record(i), folder.path / "runs" / "trial" / (run_name(experiment.runs[i].config) + ".h5"));
+    EXPECT_EQ(record(i), folder.path / "runs" / "trial" / (run_name(experiment.runs[i].run) + ".h5"));
     EXPECT_EQ(read_run(record(i)).outcome.objective, 0.75);
   }
   EXPECT_EQ(logged(), "");  // not a terminal
 }
 
 TEST_F(Runner, SkipsWhatIsFinishedAndRunsItAgainWhenForced) {
-  write_record(record(1), finished(experiment.runs[1].config));
+  write_record(record(1), finished(experiment.runs[1].solve()));
   RunCounts counts = run();
   EXPECT_EQ(counts.done, 3);
   EXPECT_EQ(counts.skipped, 1);
@@ -202,7 +202,7 @@ TEST_F(Runner, AFailingRunLeavesTheOldMeshAlone) {
 }
 
 TEST_F(Runner, ADryRunListsWhatIsFinishedAndRunsNothing) {
-  write_record(record(1), finished(experiment.runs[1].config));
+  write_record(record(1), finished(experiment.runs[1].solve()));
   const std::string text = dry_run(experiment, options);
   EXPECT_TRUE(ran.empty());
   EXPECT_EQ(text.find("to run "), 0u) << text;
@@ -218,11 +218,11 @@ TEST_F(Runner, RefusesToReplaceWhatItCannotRead) {
 }
 
 /// Maps of two axes, of which `answered` were: the first feasible, the second not.
-OrientationMap two_axes(const RunConfig& config, std::size_t answered = 2) {
+OrientationMap two_axes(const MapRun& config, std::size_t answered = 2) {
   OrientationMap map;
   map.config = config;
   map.body_name = "ellipsoid";
-  map.through = config.map->through;
+  map.through = config.through;
   map.cases = {""};
   map.asked = 2;
   map.axes = {Vec3::UnitX(), Vec3::UnitZ()};
@@ -245,7 +245,7 @@ TEST_F(Runner, RecordsMapsSkipsThemAndSetsThemOutInATable) {
   experiment =
       parse_experiment("table = 'maps'\n[[run]]\nthrough = ['lowest', 'centre']\naxes = 2", "trial.toml");
   int maps = 0;
-  hooks.map = [&](const RunConfig& config, const Control&) {
+  hooks.map = [&](const MapRun& config, const Control&) {
     if (++maps == 2) throw InputError("no interior left; expected a thinner wall");
     return two_axes(config);
   };
@@ -276,7 +276,7 @@ TEST_F(Runner, RecordsMapsSkipsThemAndSetsThemOutInATable) {
 
 TEST_F(Runner, LeavesNoRecordOfAMapThatTheUserStopped) {
   experiment = parse_experiment("table = 'maps'\n[[run]]\naxes = 2", "trial.toml");
-  hooks.map = [](const RunConfig& config, const Control&) { return two_axes(config, 1); };
+  hooks.map = [](const MapRun& config, const Control&) { return two_axes(config, 1); };
   const RunCounts counts = run();
   EXPECT_TRUE(counts.interrupted);
   EXPECT_EQ(counts.done, 0);
@@ -285,10 +285,10 @@ TEST_F(Runner, LeavesNoRecordOfAMapThatTheUserStopped) {
 
 TEST(Estimate, GrowsWithTheNumberOfCellsOfTheSameFormulation) {
   ExperimentRun small_run, large_run, voxel_run;
-  small_run.config.grid.cells = {40, 26, 26};
-  large_run.config.grid.cells = {80, 52, 52};
-  voxel_run.config.grid.cells = {40, 26, 26};
-  voxel_run.config.formulation = "voxel";
+  small_run.asked().grid.cells = {40, 26, 26};
+  large_run.asked().grid.cells = {80, 52, 52};
+  voxel_run.asked().grid.cells = {40, 26, 26};
+  voxel_run.asked().formulation = "voxel";
   const Effort small = effort_of(small_run), large = effort_of(large_run), voxel = effort_of(voxel_run);
   Estimate estimate;
   EXPECT_FALSE(estimate.seconds(large));
@@ -310,7 +310,7 @@ TEST(Estimate, WritesDurationsInTheUnitThatFits) {
 TEST_F(Runner, RunsAgainWhatWasTimedLessOftenThanAskedNow) {
   run();
   ran.clear();
-  for (auto& planned : experiment.runs) planned.config.repeat = 3;
+  for (auto& planned : experiment.runs) planned.solve().repeat = 3;
   EXPECT_EQ(plan_runs(experiment, options)[0].state, RunState::few_samples);
   when(0, [](RunResult& result) { result.samples.assign(3, result.samples.front()); });
   run();
@@ -320,22 +320,22 @@ TEST_F(Runner, RunsAgainWhatWasTimedLessOftenThanAskedNow) {
   run();
   EXPECT_EQ(ran, std::vector<std::string>{});
   // Less is asked: three samples are more than enough.
-  for (auto& planned : experiment.runs) planned.config.repeat = 2;
+  for (auto& planned : experiment.runs) planned.solve().repeat = 2;
   run();
   EXPECT_EQ(ran, std::vector<std::string>{});
 }
 
 TEST_F(Runner, DoesNotTimeAgainWhatUsedUpItsSeconds) {
-  for (auto& planned : experiment.runs) planned.config.budget_seconds = 0.25;  // a sample takes 0.3
+  for (auto& planned : experiment.runs) planned.solve().budget_seconds = 0.25;  // a sample takes 0.3
   run();
   ran.clear();
-  for (auto& planned : experiment.runs) planned.config.repeat = 3;
+  for (auto& planned : experiment.runs) planned.solve().repeat = 3;
   run();
   EXPECT_EQ(ran, std::vector<std::string>{});
 }
 
 TEST_F(Runner, LeavesNoRecordOfARunInterruptedBetweenTwoTimedSolves) {
-  experiment.runs[0].config.repeat = 2;
+  experiment.runs[0].solve().repeat = 2;
   std::stop_source stop;
   hooks.stop = stop.get_token();
   when(0, [&](RunResult&) { stop.request_stop(); });

@@ -7,8 +7,6 @@
 
 #include "experiment/data_folder.hpp"
 #include "experiment/table.hpp"
-#include "record/nest_record.hpp"
-#include "record/record.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -31,12 +29,10 @@ std::vector<RecordedRun> runs_in(const fs::path& file) {
     record.summary = stored.at("summary");
     record.error = stored.at("error");
     run.run.label = stored.at("label");
-    if (record.summary.contains("shapes")) {
-      record.kind = RecordKind::nesting;
-      restore(run.run.nest.emplace(), record.config());
-    } else {
-      restore(run.run.config, record.config());
-    }
+    if (record.summary.contains("shapes")) record.kind = RecordKind::nesting;
+    std::vector<GivenText> given;
+    for (const auto& [name, text] : record.config()) given.push_back({name, text});
+    run.run.run = make_run(given);
   }
   return runs;
 }

@@ -20,19 +20,23 @@ class NestRecord : public testing::Test {
   NestRecord() {
     write_mesh(folder_.path / "egg.off", {nest::ball(6, {1.5, 1.2, 1})});
     write_mesh(folder_.path / "ball.off", {nest::ball(6)});
-    config_.outer = (folder_.path / "egg.off").string();
-    config_.inner = (folder_.path / "ball.off").string();
+    ask({});
+  }
+  void ask(const GivenFields& more) {
+    GivenFields given = {{"outer", (folder_.path / "egg.off").string()},
+                         {"inner", (folder_.path / "ball.off").string()}};
+    given.insert(given.end(), more.begin(), more.end());
+    config_ = make_nest(given);
   }
   void search() {
-    for (const auto& [name, value] : {std::pair{"free", "all"},
-                                      {"particles", "12"},
-                                      {"iterations", "10"},
-                                      {"climb-iterations", "15"},
-                                      {"swarms", "2"},
-                                      {"patience", "4"},
-                                      {"topology", "random"},
-                                      {"seed", "3"}})
-      set_field(config_, name, value);
+    ask({{"free", "all"},
+         {"particles", "12"},
+         {"iterations", "10"},
+         {"climb-iterations", "15"},
+         {"swarms", "2"},
+         {"patience", "4"},
+         {"topology", "random"},
+         {"seed", "3"}});
   }
   [[nodiscard]] std::filesystem::path file() const { return folder_.path / "nest.h5"; }
 
@@ -43,7 +47,7 @@ class NestRecord : public testing::Test {
 
 TEST_F(NestRecord, HoldsWhatWasAskedAndFound) {
   search();
-  config_.timings = 1;
+  set_field(config_, "timings", "1");
   const NestResult result = run_nest(config_, hooks_);
   ASSERT_TRUE(result.valid) << result.text;
   write_nest(file(), result);
@@ -77,7 +81,7 @@ TEST_F(NestRecord, HoldsWhatWasAskedAndFound) {
 }
 
 TEST_F(NestRecord, HoldsTestsScalesComparisonsAndFailures) {
-  config_.scale = 1.2;
+  ask({{"scale", "1.2"}});
   write_nest(file(), run_nest(config_, hooks_));
   NestResult read = read_nest(file());
   EXPECT_EQ(kind_of(read.config), "test");
@@ -85,15 +89,14 @@ TEST_F(NestRecord, HoldsTestsScalesComparisonsAndFailures) {
   EXPECT_EQ(read.scale, 1.2);
   EXPECT_FALSE(read.certified);
 
-  config_.scale.reset();
-  config_.variant = "envelope";
+  ask({{"variant", "envelope"}});
   write_nest(file(), run_nest(config_, hooks_));
   read = read_nest(file());
   EXPECT_EQ(kind_of(read.config), "scale");
   EXPECT_TRUE(read.valid);
   EXPECT_NEAR(read.certified.value().scale, read.scale, 0.01) << "repaired where samples missed a contact";
 
-  config_.accuracy = 3;
+  ask({{"accuracy", "3"}});
   write_nest(file(), run_nest(config_, hooks_));
   read = read_nest(file());
   EXPECT_EQ(kind_of(read.config), "accuracy");
@@ -140,10 +143,9 @@ TEST_F(NestRecord, ASearchGoesOnFromACheckpointAsIfItHadNeverStopped) {
 }
 
 TEST_F(NestRecord, RefusesOtherFilesAndCheckpointsOfOtherSearches) {
-  config_.scale = 0.5;
+  ask({{"scale", "0.5"}});
   write_nest(file(), run_nest(config_, hooks_));
   expect_refusal([&] { (void)read_checkpoint(file()); }, file().string(), {"not a checkpoint of a nesting"});
-  config_.scale.reset();
   search();
   NestHooks keeping = hooks_;
   keeping.keep = [&](const NestCheckpoint& checkpoint) { write_checkpoint(file(), checkpoint); };

@@ -61,43 +61,77 @@ const std::map<std::string_view, std::string_view> others = {
 };
 
 TEST(NestConfig, EveryFieldIsSetAndSaidAgainWithAllItsDigits) {
-  NestConfig config;
-  EXPECT_TRUE(describe(config).empty());
-  for (const NestField& field : nest_fields()) {
-    ASSERT_TRUE(others.contains(field.name)) << field.name;
-    EXPECT_FALSE(field.help.empty()) << field.name;
-    set_field(config, field.name, others.at(field.name));
-    EXPECT_EQ(field.text(config), others.at(field.name)) << field.name;
+  for (const NestKindEntry& kind : nest_kinds()) {
+    NestConfig config;
+    config.kind = kind.empty;
+    EXPECT_TRUE(describe(config).empty());
+    EXPECT_EQ(kind_of(config), kind.name);
+    for (const Field<NestConfig>& field : kind.fields) {
+      ASSERT_TRUE(others.contains(field.name)) << field.name;
+      EXPECT_FALSE(field.help.empty()) << field.name;
+      set_field(config, field.name, others.at(field.name));
+      EXPECT_EQ(field.text(config), others.at(field.name)) << field.name;
+    }
+    const auto said = describe(config);
+    EXPECT_EQ(said.size(), kind.fields.size() - 1) << "the device does not define a run";
+    EXPECT_EQ(describe(make_nest({said.begin(), said.end()})), said) << kind.name;
   }
-  const auto said = describe(config);
-  EXPECT_EQ(said.size(), nest_fields().size() - 1) << "the device does not define a run";
-  NestConfig again;
-  for (const auto& [name, text] : said) set_field(again, name, text);
-  EXPECT_EQ(describe(again), said);
 }
 
 TEST(NestConfig, NamesRunsByWhatDefinesThem) {
-  NestConfig config;
-  config.outer = "some/where/bunny.off";
+  const NestConfig config = make_nest({{"outer", "some/where/bunny.off"}});
   EXPECT_EQ(shapes_text(config), "bunny in bunny");
   EXPECT_TRUE(run_name(config).starts_with("bunny-in-bunny-scale-")) << run_name(config);
   NestConfig same = config;
   same.inner = same.outer;
   same.device = "gpu";
   EXPECT_EQ(run_name(same), run_name(config));
-  same.free = "all";
-  EXPECT_EQ(kind_of(same), "swarm");
-  NestConfig seeded = same;
-  seeded.search.swarm.seed = 2;
-  EXPECT_NE(run_name(seeded), run_name(same));
-  config.scale = 0.5;
-  EXPECT_EQ(kind_of(config), "test");
+  const NestConfig searched = make_nest({{"outer", config.outer}, {"free", "all"}});
+  EXPECT_EQ(kind_of(searched), "swarm");
+  EXPECT_NE(run_name(make_nest({{"outer", config.outer}, {"free", "all"}, {"seed", "2"}})),
+            run_name(searched));
+  EXPECT_EQ(kind_of(make_nest({{"scale", "0.5"}})), "test");
+}
+
+// Such records there are: what they were named must still find them.
+TEST(NestConfig, NamesRunsAsEverBefore) {
+  EXPECT_EQ(run_name(make_nest({{"outer", "bunny"}, {"free", "all"}, {"seed", "3"}, {"particles", "50"}})),
+            "bunny-in-bunny-swarm-3af27233");
+  EXPECT_EQ(
+      run_name(make_nest({{"outer", "bunny"}, {"layers", "20"}, {"free", "all"}, {"within", "bear kitten"}})),
+      "kitten-in-bear-in-bunny-in-bunny-layers-d00d8c11");
+}
+
+TEST(NestConfig, RefusesFieldsOfOtherKindsAndSaysWhichHaveThem) {
+  const auto refused = [](const GivenFields& given, const std::string& says) {
+    expect_refusal([&] { (void)make_nest(given); }, says, {});
+  };
+  const std::string no = " has no such field; expected a kind that has it: ";
+  for (const char* field : {"centroid", "through"})
+    refused({{"layers", "2"}, {"free", "all"}, {field, "0,0,0"}},
+            field + (": a nesting of layers" + no + "scale, test, swarm"));
+  refused({{"layers", "2"}, {"free", "all"}, {"timings", "3"}},
+          "timings: a nesting of layers" + no + "scale, test, swarm");
+  for (const char* field : {"particles", "seconds", "iterations"})
+    refused({{field, "3"}}, field + (": a search of the scale" + no + "swarm, layers"));
+  refused({{"scale", "0.5"}, {"free", "all"}}, "scale: a search over placements" + no + "test");
+  refused({{"accuracy", "5"}, {"free", "all"}}, "free: a comparison of variants" + no + "swarm, layers");
+  refused({{"keep-out", "0,0,0,1"}}, "keep-out: a search of the scale" + no + "swarm, layers");
+  refused({{"landscape", "4"}, {"wall", "1"}}, "wall: a landscape of outlines" + no + "layers");
+}
+
+TEST(NestConfig, TakesNamesOfFilesWithSpaces) {
+  const NestConfig config =
+      make_nest({{"outer", "a b.obj"}, {"layers", "2"}, {"free", "all"}, {"within", "c\\ d.obj e.obj"}});
+  EXPECT_EQ(config.outer, "a b.obj");
+  EXPECT_EQ(std::get<NestLayers>(config.kind).within, (std::vector<std::string>{"c d.obj", "e.obj"}));
+  EXPECT_EQ(describe(config).at("within"), "c\\ d.obj e.obj");
 }
 
 TEST(NestConfig, RefusesWhatDoesNotFitInOneLine) {
-  NestConfig config;
   const auto refused = [&](std::string_view name, std::string_view value, const std::string& start,
                            const std::vector<std::string>& parts = {}) {
+    NestConfig config = make_nest({{"layers", "2"}});
     expect_refusal([&] { set_field(config, name, value); }, start, parts);
   };
   refused("partcles", "3", "field 'partcles' is unknown (did you mean 'particles'?)");
@@ -119,17 +153,12 @@ TEST(NestConfig, RefusesWhatDoesNotFitInOneLine) {
 }
 
 TEST(NestConfig, RefusesWhatDoesNotFitTogether) {
-  const auto with = [](std::vector<std::pair<const char*, const char*>> fields) {
-    NestConfig config;
-    for (const auto& [name, value] : fields) set_field(config, name, value);
-    return config;
-  };
+  const auto with = [](const GivenFields& fields) { return make_nest(fields); };
   const auto refused = [&](const NestConfig& config, const std::string& start) {
     expect_refusal([&] { require_valid(config); }, start, {});
   };
   refused(with({}), "no outer shape");
-  refused(with({{"outer", "bear"}, {"free", "all"}, {"scale", "0.5"}}), "free with scale");
-  refused(with({{"outer", "bear"}, {"free", "all"}, {"accuracy", "5"}}), "accuracy with free");
+  refused(with({{"outer", "bear"}, {"layers", "2"}}), "layers without free");
   refused(with({{"outer", "bear"}, {"free", "all"}, {"particles", "0"}}), "swarm: particles = 0");
   refused(with({{"outer", "bear"}, {"free", "all"}, {"inertia", "1.5"}}), "swarm: inertia = 1.5");
   refused(with({{"outer", "bear"}, {"free", "all"}, {"climb-iterations", "-1"}}), "climb: iterations = -1");

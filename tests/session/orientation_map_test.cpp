@@ -48,7 +48,7 @@ TEST_F(Map, AlongTheDomainsOwnAxisIsThePlainRun) {
     if (floats) config.settings["problem.draft"] = "60%";
     const RunResult plain = run(config).result;
     const OrientationMap map =
-        map_of({config, {plain.axis}, floats ? std::vector<std::string>{"60%"} : std::vector<std::string>{}});
+        map_of({MapRun(config), {plain.axis}, floats ? std::vector<std::string>{"60%"} : std::vector<std::string>{}});
     ASSERT_EQ(map.axes.size(), 1u);
     ASSERT_LE((map.contacts[0] - plain.contact).norm(), 1e-9);
     ASSERT_EQ(plain.outcome.termination, Termination::optimal) << problem;
@@ -67,7 +67,7 @@ TEST_F(Map, OfACubeIsThatOfACube) {
   RunConfig config = box({40, 40, 40});
   config.domain = "columns";  // alike on all sides; exact rays end at the wall above and below alone
   const OrientationMap map =
-      map_of({config,
+      map_of({MapRun(config),
               {Vec3::UnitZ(), -Vec3::UnitZ(), Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitY(), -Vec3::UnitY()},
               {}});
   ASSERT_EQ(map.answers.size(), 6u);
@@ -94,7 +94,7 @@ TEST_F(Map, AgreesWithRunsWhoseGridIsTurned) {
   config.formulation = "quadric";
   config.solver = "moment";
   const Vec3 near[] = {{0.1, 0, 1}, {0, -0.15, 1}, {0.1, 0.1, -1}};
-  const OrientationMap map = map_of({config, {near[0], near[1], near[2]}, {}});
+  const OrientationMap map = map_of({MapRun(config), {near[0], near[1], near[2]}, {}});
   std::size_t compared = 0;
   for (std::size_t a = 0; a < 3; ++a) {
     RunConfig turned = config;
@@ -131,7 +131,7 @@ TEST_F(Map, SaysWhereNoInteriorWillDoAndByHowMuch) {
 }
 
 TEST_F(Map, ThroughTheCentreOfMassRunsOnAPegThatReachesTheGround) {
-  MapSpec spec{box({40, 30, 24}), {Vec3::UnitZ(), Vec3(0.06, 0.06, 1), Vec3(1, 2, 3)}, {}};
+  MapSpec spec{MapRun(box({40, 30, 24})), {Vec3::UnitZ(), Vec3(0.06, 0.06, 1), Vec3(1, 2, 3)}, {}};
   spec.through = Through::centre;
   const OrientationMap map = map_of(spec);
   for (std::size_t a = 0; a < 3; ++a) {
@@ -159,7 +159,7 @@ TEST_F(Map, OfABargeFloatsOnEverySideAsTheBookSays) {
     config.problem = "float";
     config.body.density = 0.8;
     config.body.up = side.up;
-    const OrientationMap map = map_of({config, {side.up, -side.up}, {"65%", "80%"}});
+    const OrientationMap map = map_of({MapRun(config), {side.up, -side.up}, {"65%", "80%"}});
     EXPECT_EQ(map.cases, (std::vector<std::string>{"65%", "80%"}));
     for (std::size_t a = 0; a < 2; ++a)
       for (std::size_t c = 0; c < 2; ++c) {
@@ -181,7 +181,7 @@ TEST_F(Map, OfAFloatingBodyAgreesWithRunsWhoseGridIsTurned) {
   config.grid.resolution = 48;
   config.problem = "float";
   config.body.density = 0.8;
-  const OrientationMap map = map_of({config, {{0.3, 0.1, 1}, {0.2, 1, -0.4}, {-1, 0.2, 0.3}}, {"60%"}});
+  const OrientationMap map = map_of({MapRun(config), {{0.3, 0.1, 1}, {0.2, 1, -0.4}, {-1, 0.2, 0.3}}, {"60%"}});
   for (std::size_t a = 0; a < 3; ++a) {
     RunConfig turned = config;
     turned.body.up = map.axes[a];
@@ -197,13 +197,13 @@ TEST_F(Map, OfAFloatingBodyAgreesWithRunsWhoseGridIsTurned) {
 
 TEST_F(Map, RefusesWhatItCannotMap) {
   RunConfig config = box({40, 20, 12});
-  EXPECT_THROW((void)map_of({config, {}, {}}), InputError);
-  EXPECT_THROW((void)map_of({config, {Vec3::Zero()}, {}}), InputError);
-  EXPECT_THROW((void)map_of({config, {Vec3::UnitZ()}, {"50%"}}), InputError);
+  EXPECT_THROW((void)map_of({MapRun(config), {}, {}}), InputError);
+  EXPECT_THROW((void)map_of({MapRun(config), {Vec3::Zero()}, {}}), InputError);
+  EXPECT_THROW((void)map_of({MapRun(config), {Vec3::UnitZ()}, {"50%"}}), InputError);
   config.problem = "float";
-  EXPECT_THROW((void)map_of({config, {Vec3::UnitZ()}, {}}), InputError);
+  EXPECT_THROW((void)map_of({MapRun(config), {Vec3::UnitZ()}, {}}), InputError);
   config.problem = "stand";
-  EXPECT_THROW((void)map_of({config, {Vec3::UnitZ()}, {}}), InputError);
+  EXPECT_THROW((void)map_of({MapRun(config), {Vec3::UnitZ()}, {}}), InputError);
 }
 
 }  // namespace

@@ -3,12 +3,10 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "apps/shared/exit_code.hpp"
-#include "run/simulation.hpp"
-#include "session/config.hpp"
+#include "run/run.hpp"
 
 namespace kreisel::core::bench {
 
@@ -47,7 +45,7 @@ struct CompareOptions {
 int compare_results(const CompareOptions& options);
 
 struct MapOptions {
-  RunConfig config;
+  MapRun run;
   std::string json_file, record_file;  ///< empty: not written; json "-" is standard output
 };
 /// Where a body can spin, or float: every orientation over one domain.
@@ -64,7 +62,7 @@ struct SimulateOptions {
 int simulate_part(const SimulateOptions& options);
 
 struct NestOptions {
-  std::vector<std::pair<std::string, std::string>> given;  ///< fields of a NestConfig, as they were typed
+  std::vector<GivenText> given;              ///< fields of a nesting, as they were typed
   std::string json_file, record_file;        ///< empty: not written; json "-" is standard output
   std::string checkpoint_file, resume_file;  ///< where a search is kept, and one to go on with
 };
@@ -84,6 +82,13 @@ int report_markdown(const ReportOptions& options);
 
 /// Prints records, or the table of an experiment whose runs they are.
 int show(const std::vector<std::string>& paths);
+
+struct FieldsOptions {
+  std::string kind;       ///< empty: all
+  bool markdown = false;  ///< as the table of docs/fields.md
+};
+/// What each kind of run can be told. @throws InputError  no such kind
+int fields(const FieldsOptions& options);
 
 /// Models, problems, formulations, solvers, experiments, and which solver works with which formulation.
 int list();

@@ -10,7 +10,6 @@
 #include "apps/shared/program.hpp"
 #include "body/source.hpp"
 #include "error.hpp"
-#include "experiment/absent_files.hpp"
 #include "experiment/data_folder.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/table.hpp"
@@ -20,8 +19,8 @@ namespace kreisel::core::bench {
 namespace {
 
 void require_shapes(const ExperimentRun& run) {
-  if (!run.nest) return require_known_source(run.config.body);
-  for (const std::string& shape : models_of(run)) {
+  if (const Asked* asked = asked_of(run.run)) return require_known_source(asked->body);
+  for (const std::string& shape : shapes_of(run.run)) {
     BodySpec spec;
     spec.model = shape;
     require_known_source(spec);
@@ -56,8 +55,7 @@ int run_experiment(const ExperimentOptions& options) {
   look_for_files_in(options.models);
   if (!options.csv_file.empty()) require_writable(options.csv_file, "--csv");
   if (!options.device.empty())
-    for (ExperimentRun& run : experiment.runs)
-      (run.nest ? run.nest->device : run.config.device) = options.device;
+    for (ExperimentRun& run : experiment.runs) set_field(run.run, "device", options.device);
 
   RunnerOptions runner;
   runner.results = options.results;

@@ -44,6 +44,8 @@ int list() {
     for (const SolverEntry& s : solvers()) fmt::print(" {:<12}", s.works_with(f) ? "yes" : "no");
   }
   fmt::print("\n");
+  fmt::print("kinds of runs (bench fields KIND: what they can be told)\n");
+  for (const RunKind& kind : run_kinds()) fmt::print("  {:<12} {}\n", kind.name, kind.help);
   print_experiments();
   return done;
 }

@@ -9,7 +9,6 @@
 
 #include "apps/bench/commands.hpp"
 #include "apps/bench/simulate_options.hpp"
-#include "apps/shared/nest_options.hpp"
 #include "apps/shared/outputs.hpp"
 #include "apps/shared/program.hpp"
 #include "apps/shared/run_options.hpp"
@@ -18,7 +17,9 @@
 
 namespace {
 
+using kreisel::core::find_run_kind;
 using kreisel::core::InputError;
+using kreisel::core::RunKind;
 using namespace kreisel::core::bench;
 
 struct Parsed {
@@ -29,6 +30,7 @@ struct Parsed {
   MapOptions map;
   SimulateOptions simulate;
   NestOptions nest;
+  FieldsOptions fields;
   RunOptions run;
   std::vector<std::string> paths;
   std::string only_device;
@@ -36,9 +38,10 @@ struct Parsed {
 };
 
 void add_run_options(CLI::App& app, Parsed& parsed) {
-  parsed.run.add(app);
-  parsed.run.add_settings(
-      app, "GROUP.NAME=VALUE; groups: ipopt (any of its options), moment, problem, formulation, solver");
+  const RunKind& solve = find_run_kind("solve");
+  // A process of its own is what experiments make of a run with limits.
+  parsed.run.add(app, {&solve}, {}, {"certify", "memory", "seconds"});
+  parsed.run.add_settings(app, solve);
   app.add_option_function<std::string>(
          "--certify",
          [&parsed](const std::string& text) {
@@ -54,27 +57,24 @@ void add_run_options(CLI::App& app, Parsed& parsed) {
 }
 
 void add_inspect_options(CLI::App& app, Parsed& parsed) {
-  parsed.run.add(app, {"model", "axis", "contact", "up", "unit", "weld", "size", "density", "fineness"});
+  parsed.run.add_model(app);
+  parsed.run.add(app, {&find_run_kind("solve")},
+                 {"axis", "contact", "up", "unit", "weld", "size", "density", "fineness"});
   app.add_option("--json", parsed.once.json_file, "write it all as JSON; - for standard output");
 }
 
 void add_map_options(CLI::App& app, Parsed& parsed) {
-  RunOptions& run = parsed.run;
-  run.add(app, {"model", "resolution", "wall", "size", "density", "interior-density", "void-density",
-                "fineness", "device", "precision", "problem.fluid_density"});
-  run.add(app, "--problem", "problem", "spin (default) or float");
-  run.add(app, "--up", "up", "along which the rays of the one domain run; default the model's axis");
-  run.add_settings(app, "GROUP.NAME=VALUE; groups: problem, solver");
-  run.add(app, "--axes", "axes", "directions of the sphere; default 2000");
-  run.add(app, "--through", "through",
-          "axes run through the lowest point (default), or the solid's centre of mass");
-  run.add(app, "--drafts", "drafts", "float: of the height, mm or grams; default 20%,40%,60%,80%");
+  const RunKind& map = find_run_kind("map");
+  parsed.run.add_model(app);
+  parsed.run.add(app, {&map}, {}, {"model"});
+  parsed.run.add_settings(app, map);
   app.add_option("--json", parsed.map.json_file, "write it all as JSON; - for standard output");
   app.add_option("--record", parsed.map.record_file, "write the map as HDF5");
 }
 
-void add_nest_options(CLI::App& app, NestOptions& nest) {
-  kreisel::core::apps::add_nest_fields(app, nest.given);
+void add_nest_options(CLI::App& app, Parsed& parsed) {
+  NestOptions& nest = parsed.nest;
+  parsed.run.add(app, nesting_kinds());
   app.add_option("--json", nest.json_file, "write the answer as JSON; - for standard output");
   app.add_option("--record", nest.record_file, "write the whole run as HDF5");
   app.add_option("--checkpoint", nest.checkpoint_file,
@@ -118,8 +118,7 @@ Command add_map(CLI::App& app, Parsed& parsed) {
       "map", "every orientation over one domain: about which axes can a body spin, or float");
   add_map_options(*mapped, parsed);
   return {mapped, [&parsed] {
-            parsed.run.apply(parsed.once.config);
-            parsed.map.config = parsed.once.config;
+            parsed.map.run = std::get<kreisel::core::MapRun>(parsed.run.make(find_run_kind("map")));
             return map_model(parsed.map);
           }};
 }
@@ -130,9 +129,10 @@ Command add_simulate(CLI::App& app, Parsed& parsed) {
   add_simulate_options(*simulated, parsed.simulate, [&](const std::string& field, const std::string& text) {
     parsed.run.say(field, text);
   });
-  parsed.run.add(*simulated,
-                 {"axis", "up", "unit", "weld", "size", "density", "void-density", "fineness", "device"});
-  parsed.run.add_settings(*simulated, "problem.NAME=VALUE");
+  parsed.run.add(*simulated, {&find_run_kind("simulation")},
+                 {"axis", "up", "unit", "weld", "size", "density", "void-density", "fineness", "device",
+                  "problem.fluid_density"});
+  parsed.run.add_settings(*simulated, find_run_kind("simulation"));
   return {simulated, [&parsed] {
             parsed.run.apply(parsed.once.config);
             parsed.simulate.config = parsed.once.config;
@@ -143,8 +143,11 @@ Command add_simulate(CLI::App& app, Parsed& parsed) {
 Command add_nest(CLI::App& app, Parsed& parsed) {
   CLI::App* nested = app.add_subcommand(
       "nest", "does one shape fit into another, to be taken out through a cut, and how large");
-  add_nest_options(*nested, parsed.nest);
-  return {nested, [&parsed] { return nest_shapes(parsed.nest); }};
+  add_nest_options(*nested, parsed);
+  return {nested, [&parsed] {
+            parsed.nest.given = parsed.run.given();
+            return nest_shapes(parsed.nest);
+          }};
 }
 
 Command add_report(CLI::App& app, Parsed& parsed) {
@@ -179,6 +182,15 @@ Command add_compare(CLI::App& app, Parsed& parsed) {
   return {compared, [&parsed] { return compare_results(parsed.compare); }};
 }
 
+Command add_fields(CLI::App& app, Parsed& parsed) {
+  CLI::App* listed =
+      app.add_subcommand("fields", "kinds of runs, and what each can be told: options, TOML keys");
+  listed->add_option("kind", parsed.fields.kind,
+                     "solve, map, simulation, or a nesting: scale, test, swarm, ...");
+  listed->add_flag("--markdown", parsed.fields.markdown, "as a table of a page");
+  return {listed, [&parsed] { return fields(parsed.fields); }};
+}
+
 Command add_devices(CLI::App& app, Parsed& parsed) {
   CLI::App* probed = app.add_subcommand("devices", "OpenCL devices, with measured bandwidth and flop rate");
   probed->add_flag("--no-measure", parsed.no_measure, "only what they say of themselves");
@@ -194,8 +206,8 @@ int dispatch(int argc, char** argv) {
   Parsed parsed;
   add_run_options(app, parsed);
   std::vector<Command> commands;
-  for (const auto add :
-       {add_experiment, add_inspect, add_map, add_simulate, add_nest, add_report, add_show, add_compare})
+  for (const auto add : {add_experiment, add_inspect, add_map, add_simulate, add_nest, add_report, add_show,
+                         add_compare, add_fields})
     commands.push_back(add(app, parsed));
   commands.emplace_back(
       app.add_subcommand("list", "models, problems, formulations, solvers, experiments; which pairs work"),

@@ -5,6 +5,7 @@
 #include "apps/bench/commands.hpp"
 #include "apps/shared/outputs.hpp"
 #include "apps/shared/step_line.hpp"
+#include "problem/problem.hpp"
 #include "record/map_record.hpp"
 #include "record/record.hpp"
 #include "session/orientation_map.hpp"
@@ -19,7 +20,8 @@ std::string share(std::size_t part, std::size_t whole) {
 
 void print_map(const OrientationMap& map) {
   const std::size_t n = map.axes.size();
-  const bool spins = map.config.problem == "spin";
+  const ProblemEntry& asked = find_problem(map.config.problem);
+  const bool spins = !asked.upright, cases = !asked.map->setting.empty();
   fmt::print("{}: map of {} on {}{}\n", map.body_name, map.config.problem, map.provenance.device,
              map.provenance.single_precision ? " (single precision, compensated)" : "");
   fmt::print("  domain     {} {} x {} x {} of {:.4g} mm, wall {} = {:.4g} mm: {} rays\n", map.domain,
@@ -33,9 +35,11 @@ void print_map(const OrientationMap& map) {
   fmt::print("  time       {:.3f} s sweep, {:.3f} s set-up\n", map.sweep_seconds, map.setup_seconds);
   for (std::size_t c = 0; c < map.cases.size(); ++c) {
     const std::size_t undecided = map.count(c, MapAnswer::undecided);
-    fmt::print("  {:<10} {} feasible, {} {}{}\n", spins ? "possible" : "draft " + map.cases[c],
+    fmt::print("  {:<10} {} feasible, {} {}{}\n",
+               cases ? asked.map->setting + " " + map.cases[c] : "possible",
                share(map.count(c, MapAnswer::feasible), n), share(map.count_ok(c), n),
-               spins ? "spin" : "float", undecided ? fmt::format(", {} undecided", share(undecided, n)) : "");
+               asked.verb.empty() ? asked.name : asked.verb,
+               undecided ? fmt::format(", {} undecided", share(undecided, n)) : "");
   }
   const auto best = map.best();
   if (!best) {
@@ -45,8 +49,8 @@ void print_map(const OrientationMap& map) {
   const MapAnswer& answer = map.at(best->axis, best->at_case);
   const Vec3& a = map.axes[best->axis];
   fmt::print("  best       axis {:.4f},{:.4f},{:.4f}{}: objective {:.6f}, {}\n", a[0], a[1], a[2],
-             spins ? "" : fmt::format(" at draft {}", map.cases[best->at_case]), answer.objective,
-             answer.verdict.text);
+             cases ? fmt::format(" at {} {}", asked.map->setting, map.cases[best->at_case]) : "",
+             answer.objective, answer.verdict.text);
   fmt::print("  make it    {}\n", map.command(*best));
 }
 
@@ -55,7 +59,7 @@ void print_map(const OrientationMap& map) {
 int map_model(const MapOptions& options) {
   require_writable(options.json_file, "--json");
   require_writable(options.record_file, "--record");
-  const MapSpec spec = map_spec(options.config);
+  const MapSpec spec = map_spec(options.run);
   OrientationMap map;
   {
     const StepLine line;

@@ -6,6 +6,7 @@
 #include "apps/bench/nest_print.hpp"
 #include "apps/shared/outputs.hpp"
 #include "apps/shared/step_line.hpp"
+#include "body/source.hpp"
 #include "error.hpp"
 #include "file/write_text.hpp"
 #include "nest/search/baseline.hpp"
@@ -19,12 +20,12 @@ bool may_change(const std::string& field) { return field == "seconds" || field =
 
 NestCheckpoint resumed(const NestOptions& options) {
   NestCheckpoint checkpoint = read_checkpoint(options.resume_file);
-  checkpoint.config.seconds = NestConfig().seconds;
-  for (const auto& [field, text] : options.given) {
-    if (!may_change(field))
+  if (auto* search = part_of<NestSearch>(checkpoint.config)) search->seconds = NestSearch().seconds;
+  for (const GivenText& field : options.given) {
+    if (!may_change(field.name))
       throw InputError(
-          fmt::format("--{} with --resume; expected the options that the search was begun with", field));
-    set_field(checkpoint.config, field, text);
+          fmt::format("--{} with --resume; expected the options that the search was begun with", field.name));
+    set_field(checkpoint.config, field.name, field.text);
   }
   return checkpoint;
 }
@@ -53,17 +54,19 @@ void print(const NestResult& result) {
   if (result.layers) return print_layers(result);
   if (result.landscape) return print_landscape(result);
   const NestConfig& config = result.config;
+  const auto* swarm = part_of<NestSearch>(config);
+  const NestDecision& by = *part_of<NestDecision>(config);
   fmt::print("{}: {} by {}\n", shapes_text(config),
-             !config.free.empty() ? config.swarm + " swarm over " + config.free
-             : config.scale       ? "feasibility"
-                                  : "scale search",
-             config.variant);
+             swarm                       ? swarm->swarm + " swarm over " + swarm->free
+             : part_of<NestTest>(config) ? "feasibility"
+                                         : "scale search",
+             by.variant);
   fmt::print("  triangles  {} + {}\n", result.outer_triangles, result.inner_triangles);
   if (result.placed) fmt::print("  scale      {:.6g}\n", result.scale);
   fmt::print("  answer     {}\n", result.text);
   if (result.certified) fmt::print("  certified  {}\n", certified_text(result));
   if (result.sampled_scale)
-    fmt::print("  sampled    valid by {0} x {0} pixels up to {1:.6g}\n", config.resolution,
+    fmt::print("  sampled    valid by {0} x {0} pixels up to {1:.6g}\n", by.resolution,
                *result.sampled_scale);
   fmt::print(
       "  time       {:.3f} ms test or search ({} evaluations), {:.3f} s set-up, {:.3f} s certification\n",
@@ -72,7 +75,7 @@ void print(const NestResult& result) {
     fmt::print("  {:<10} {:.4g} ms a test at 0.98 of it, {:.4g} ms a search, which finds {:.6g}\n", t.variant,
                t.test_ms, t.search_ms, t.scale);
   if (result.ending == NestResult::Ending::out_of_time)
-    fmt::print("  ended      after {} s, as asked\n", config.seconds);
+    fmt::print("  ended      after {} s, as asked\n", swarm->seconds);
 }
 
 }  // namespace
@@ -89,16 +92,25 @@ int nest_shapes(const NestOptions& options) {
     config = checkpoint.config;
     hooks.resume = &checkpoint;
   } else {
-    for (const auto& [field, text] : options.given) set_field(config, field, text);
+    std::vector<std::string_view> names;
+    for (const GivenText& field : options.given) names.push_back(field.name);
+    config = std::get<NestConfig>(make_run(options.given, kind_of_fields(names, true)));
   }
-  if (nest::is_baseline(config.swarm))
+  require_valid(config);
+  for (const std::string& shape : shapes_of(config)) {
+    BodySpec spec;
+    spec.model = shape;
+    require_known_source(spec);
+  }
+  if (const auto* search = part_of<NestSearch>(config); search && nest::is_baseline(search->swarm))
     throw InputError(fmt::format(
-        "swarm = '{}'; expected one of bench's own, the program nest_baseline has those", config.swarm));
+        "swarm = '{}'; expected one of bench's own, the program nest_baseline has those", search->swarm));
   const std::string kept = options.checkpoint_file.empty() ? options.resume_file : options.checkpoint_file;
   if (!kept.empty()) {
-    if (config.free.empty() || config.layers > 0)
+    if (!part_of<NestSwarm>(config))
       throw InputError(
-          "--checkpoint without --free, or with --layers; expected a single search that takes long");
+          fmt::format("--checkpoint of {}; expected a search over placements, by --free without --layers",
+                      entry_of(config).what));
     hooks.keep = [&](const NestCheckpoint& now) { write_checkpoint(kept, now); };
   }
   NestResult result;

@@ -5,9 +5,9 @@
 namespace kreisel::core::bench {
 
 void print_layers(const NestResult& result) {
-  const nest::Tolerances& tolerances = result.config.tolerances;
-  fmt::print("{}: layers, each a {} swarm over {}\n", shapes_text(result.config), result.config.swarm,
-             result.config.free);
+  const auto& asked = std::get<NestLayers>(result.config.kind);
+  const nest::Tolerances& tolerances = asked.tolerances;
+  fmt::print("{}: layers, each a {} swarm over {}\n", shapes_text(result.config), asked.swarm, asked.free);
   fmt::print("  walls      {:g} mm at least, and {:g} mm for the printer\n", tolerances.wall,
              tolerances.accuracy);
   fmt::print("  layer        mm   of the outer       scale   certified     wall        s\n");

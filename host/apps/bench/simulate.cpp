@@ -62,7 +62,7 @@ std::string ranges(const std::vector<SpinAtSpeed>& scan, const Holds& holds) {
 }
 
 void print_spin(const Simulation& s) {
-  if (s.config.problem != "yoyo") row(s, "eq. 1", eq1);
+  if (!find_problem(s.config.problem).centred) row(s, "eq. 1", eq1);
   for (std::size_t i = 0; i < contacts.size(); ++i)
     row(s, contacts[i].second, [&](const SimulatedBody& b) {
       const bool balanced =
@@ -129,7 +129,7 @@ void print_simulation(const Simulation& s) {
   fmt::print("  {:<10} {:<56} {}\n", "", "solid", s.hollow ? "part" : "");
   if (s.part.spin)
     print_spin(s);
-  else if (s.config.problem == "stand")
+  else if (find_problem(s.config.problem).moves == Moves::topples)
     print_stand(s);
   else
     print_float(s);

@@ -32,21 +32,21 @@ void add_simulate_options(CLI::App& app, SimulateOptions& simulate,
         give("contact", text);
       },
       "how the tip touches the ground: gliding (default), held or free; of a mesh also where: x,y,z in mm");
-  app.add_option_function<double>(
-      "--omega",
-      [&simulate](double rpm) {
-        simulate.omega = true;
-        simulate.spec.spin.rpm = rpm;
-      },
-      "rpm; default a tenth above the least from which the part is stable");
-  app.add_option("--tilt", simulate.spec.spin.tilt_degrees, "at the start, degrees")->capture_default_str();
-  app.add_option("--seconds", simulate.spec.spin.seconds, "to simulate")->capture_default_str();
-  app.add_flag("--scan", simulate.spec.scan, "over a hundred speeds, too");
+  for (const Field<SimulationSpec>& field : motion_fields()) {
+    if (field.name == "tip") continue;  // part of --contact
+    const auto set = [&simulate, &field](const std::string& text) {
+      if (field.name == "omega") simulate.omega = true;
+      field.set(simulate.spec, field.name, text);
+    };
+    const std::string option = "--" + option_of(field), help(field.help);
+    if (field.name == "scan")
+      app.add_flag_callback(
+          option, [set] { set("yes"); }, "over a hundred speeds, too");
+    else
+      app.add_option_function<std::string>(option, set, help)->type_name(std::string(field.unit));
+  }
   app.add_option("--axle", simulate.spec.axle_mm,
                  "yoyo: radius of the axle, mm; then it runs down its string, too");
-  app.add_option_function<std::string>(
-      "--fluid-density", [give](const std::string& text) { give("problem.fluid_density", text); },
-      "float: g/cm^3; default 1");
   app.add_option("--json", simulate.json_file, "write it all as JSON; - for standard output");
   app.add_option("--record", simulate.record_file, "write the simulation as HDF5");
 }

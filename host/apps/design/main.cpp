@@ -19,6 +19,7 @@
 namespace {
 
 using kreisel::core::InputError;
+using kreisel::core::RunKind;
 using namespace kreisel::core::apps;
 
 /// What `design` can make: a problem, what it says in --help, the options it has of its own.
@@ -44,14 +45,16 @@ struct Parsed {
 
 void add_options(CLI::App& app, Parsed& parsed, const Purpose& purpose) {
   RunOptions& run = parsed.run;
-  run.add(app, {"model"});
+  const RunKind& solve = kreisel::core::find_run_kind("solve");
+  run.add_model(app);
   parsed.outputs.add(app, "the part");
-  run.add(app, purpose.fields);
+  run.add(app, {&solve}, purpose.fields);
   run.add(app, "--wall", "wall", "least wall: mm, or 2% (of the longest side, the default), or 1.5h (cells)");
-  run.add(app, {"unit", "weld", "size", "density", "interior-density", "void-density", "fineness", "device"});
+  run.add(app, {&solve},
+          {"unit", "weld", "size", "density", "interior-density", "void-density", "fineness", "device"});
   run.add(app, "--resolution", "resolution", "cells along the longest side; default 128");
   run.add(app, "--formulation", "formulation", "how the interior is described; default quadric");
-  run.add_settings(app, "GROUP.NAME=VALUE, as for `bench`");
+  run.add_settings(app, solve);
   app.add_option("--printer-accuracy", parsed.spec.printer_accuracy,
                  "mm; a wall thinner than this is refused, a void smaller than the cube of five times this "
                  "stays filled")

@@ -6,10 +6,10 @@
 #include <filesystem>
 
 #include "apps/shared/exit_code.hpp"
-#include "apps/shared/nest_options.hpp"
 #include "apps/shared/step_line.hpp"
 #include "design/page.hpp"
 #include "file/write_text.hpp"
+#include "words.hpp"
 
 namespace kreisel::core::apps {
 namespace {
@@ -17,7 +17,8 @@ namespace {
 void print(const Nested& nested) {
   const NestConfig& config = nested.spec.config;
   fmt::print("{}: {:.4g} mm, {:.4g} g/cm^3; walls of {:.3g} mm, {:.3g} mm of play\n", shapes_text(config),
-             nested.size, nested.spec.density, config.tolerances.wall, config.tolerances.accuracy);
+             nested.size, nested.spec.density, nested.spec.layers().tolerances.wall,
+             nested.spec.layers().tolerances.accuracy);
   for (const std::string& line : nested.repairs) fmt::print("  repaired   {}\n", line);
   if (!nested.feasible()) {
     fmt::print(
@@ -62,23 +63,24 @@ void add_nest_options(CLI::App& app, NestArguments& arguments) {
       ->check(CLI::PositiveNumber);
   app.add_flag("--accept", arguments.accept, "exit code 0, though a wall or gap is less than was asked");
   app.add_option_function<std::string>(
-      "--size", [&](const std::string& text) { arguments.given.emplace_back("outer-size", text); },
+      "--size", [&](const std::string& text) { arguments.options.say("outer-size", text); },
       "longest side of the outer shape in mm; default as the model is");
-  add_nest_fields(app, arguments.given,
-                  {"layers", "printer-accuracy", "free", "up", "plane", "removal", "keep-out", "fineness",
-                   "particles", "iterations", "seed", "seconds", "cells", "device"});
+  arguments.options.add(app, {&find_run_kind("layers")},
+                        {"layers", "printer-accuracy", "free", "up", "plane", "removal", "keep-out",
+                         "fineness", "particles", "iterations", "seed", "seconds", "cells", "device"});
 }
 
 int nest_parts(NestArguments& arguments) {
   NestedSpec& spec = arguments.spec;
-  NestConfig& config = spec.config;
-  config.outer = arguments.models.front();
-  if (arguments.models.size() > 1) config.inner = arguments.models[1];
-  for (std::size_t i = 2; i < arguments.models.size(); ++i) config.within.push_back(arguments.models[i]);
-  config.free = "all";
-  config.layers = std::max(1, static_cast<int>(arguments.models.size()) - 1);
-  config.tolerances.accuracy = 0.4;
-  for (const auto& [field, text] : arguments.given) set_field(config, field, text);
+  const std::vector<std::string>& models = arguments.models;
+  GivenFields given = {{"outer", models.front()},
+                       {"free", "all"},
+                       {"layers", fmt::format("{}", std::max<std::size_t>(2, models.size()) - 1)},
+                       {"printer-accuracy", "0.4"}};
+  if (models.size() > 1) given.emplace_back("inner", models[1]);
+  if (models.size() > 2) given.emplace_back("within", joined_words({models.begin() + 2, models.end()}));
+  for (const GivenText& field : arguments.options.given()) given.emplace_back(field.name, field.text);
+  spec.config = make_nest(given);
   spec.wall = parse_wall(arguments.wall);
   spec.file = arguments.outputs.part;
   arguments.outputs.require_writable();

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "apps/design/outputs.hpp"
+#include "apps/shared/run_options.hpp"
 #include "design/nested.hpp"
 
 namespace kreisel::core::apps {
 
 struct NestArguments {
   std::vector<std::string> models;
-  std::vector<std::pair<std::string, std::string>> given;  ///< fields of a NestConfig, as they were typed
+  RunOptions options;
   std::string wall = "2%";
   NestedSpec spec;
   DesignOutputs outputs;

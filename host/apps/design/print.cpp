@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "problem/problem.hpp"
+
 namespace kreisel::core::apps {
 namespace {
 
@@ -100,8 +102,9 @@ void print_design(const Design& d) {
   if (!d.feasible()) {
     fmt::print("  infeasible {}\n  would help {}\n", r.infeasibility, r.remedies);
     if (!d.other_axes.empty()) fmt::print("  or         {}\n", d.other_axes);
+    const std::string& verb = find_problem(r.config.problem).verb;
     fmt::print("nothing written: no interior lets this body {} as asked\n",
-               r.config.problem == "yoyo" ? "spin" : r.config.problem);
+               verb.empty() ? r.config.problem : verb);
     return;
   }
   print_table(d);

@@ -7,8 +7,8 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/shared/exit_code.hpp"
-#include "apps/shared/nest_options.hpp"
 #include "apps/shared/program.hpp"
+#include "apps/shared/run_options.hpp"
 #include "baselines/pagmo.hpp"
 #include "error.hpp"
 #include "record/nest_record.hpp"
@@ -19,9 +19,9 @@ using namespace kreisel::core;
 
 int dispatch(int argc, char** argv) {
   CLI::App app("The largest nesting by a search of pagmo2", "nest_baseline");
-  std::vector<std::pair<std::string, std::string>> given;
+  apps::RunOptions options;
   std::string record;
-  apps::add_nest_fields(app, given);
+  options.add(app, apps::nesting_kinds());
   app.add_option("--record", record, "write the whole run as HDF5")->required();
   try {
     app.parse(argc, argv);
@@ -29,11 +29,13 @@ int dispatch(int argc, char** argv) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help
     throw InputError(apps::explained(app, error));
   }
-  NestConfig config;
-  for (const auto& [field, text] : given) set_field(config, field, text);
-  if (config.free.empty() || !nest::is_baseline(config.swarm))
-    throw InputError(fmt::format("swarm = '{}', free = '{}'; expected a search of pagmo's over something",
-                                 config.swarm, config.free));
+  GivenFields given;
+  for (const GivenText& field : options.given()) given.emplace_back(field.name, field.text);
+  const NestConfig config = make_nest(given);
+  const auto* search = part_of<NestSearch>(config);
+  if (!search || !nest::is_baseline(search->swarm))
+    throw InputError(fmt::format("swarm = '{}', {}; expected a search of pagmo's over something, by --free",
+                                 search ? search->swarm : "", entry_of(config).what));
   NestHooks hooks;
   hooks.control.stop = apps::interruption();
   hooks.optimise = [](const nest::Nesting& nesting, device::Device& device, const nest::OptimiseSpec& spec,

@@ -1,6 +1,7 @@
 #include "apps/shared/program.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <csignal>
@@ -17,6 +18,7 @@
 #include "error.hpp"
 #include "memory.hpp"
 #include "nearest.hpp"
+#include "run/run.hpp"
 
 namespace kreisel::core::apps {
 namespace {
@@ -83,6 +85,16 @@ int run(int (*dispatch)(int, char**), int argc, char** argv) {
   std::abort();
 }
 
+/// Kinds of runs that have this option, though this command has not.
+std::vector<std::string_view> kinds_with(std::string_view option) {
+  std::vector<std::string_view> kinds;
+  for (const RunKind& kind : run_kinds())
+    if (std::ranges::any_of(kind.fields,
+                            [&](const Field<Run>& field) { return option == "--" + option_of(field); }))
+      kinds.push_back(kind.name);
+  return kinds;
+}
+
 }  // namespace
 
 std::stop_token interruption() { return interruptions().get_token(); }
@@ -102,6 +114,9 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error) {
   const std::string& extra = command != extras.end()  ? *command
                              : option != extras.end() ? *option
                                                       : extras.front();
+  if (const auto kinds = kinds_with(extra.substr(0, extra.find('='))); !kinds.empty())
+    return fmt::format("'{}' was not expected; expected a kind of run that has it: {} {}", extra,
+                       fmt::join(kinds, ", "), help);
   std::vector<std::string> names = commands;
   for (const CLI::Option* known : used->get_options()) names.push_back(known->get_name());
   const std::string meant = nearest(extra.substr(0, extra.find('=')), names);

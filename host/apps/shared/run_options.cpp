@@ -1,57 +1,19 @@
 #include "apps/shared/run_options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "error.hpp"
+#include "words.hpp"
 
 namespace kreisel::core::apps {
 namespace {
 
-struct FieldOption {
-  const char *option, *field, *help;
-};
-
-/// Fields of a run that have an option of their own.
-constexpr FieldOption fields[] = {
-    {"model", "model", "a name of `bench list`, or a mesh file (STL, 3MF, OBJ, PLY, OFF); default ellipsoid"},
-    {"problem", "problem", "what is asked; default spin"},
-    {"formulation", "formulation", "how the interior is described; default rayrep"},
-    {"solver", "solver", "default: ipopt, for quadric moment"},
-    {"domain", "domain",
-     "columns (whole cells) or exact (cut at the wall); default columns, for quadric exact"},
-    {"resolution", "resolution", "cells along the longest side, or NXxNYxNZ; default 64"},
-    {"level", "level", "of an octree: 2^level cells along the longest side"},
-    {"wall", "wall", "least wall: 1.5h (cells), 2% (of the longest side) or mm; default 1.5h"},
-    {"rounding", "rounding",
-     "of the written part: nearest, or fitted so that the constraints hold (default)"},
-    {"part", "part", "written (default), or none: the run ends with the solve"},
-    {"axis", "axis", "spin axis x,y,z in model coordinates; default up"},
-    {"contact", "contact",
-     "a point of the axis, mm; default the lowest along it, for yoyo the centre of mass"},
-    {"up", "up", "up direction x,y,z; default the model's, else 0,0,1"},
-    {"unit", "unit", "of an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm"},
-    {"weld", "weld", "corners at open edges of a file this near are one, mm; default as its digits say"},
-    {"size", "size", "longest side in mm; default as the model is"},
-    {"density", "density", "of the shell, g/cm^3; default 1"},
-    {"interior-density", "interior-density", "of what is left of the interior, g/cm^3; default the shell's"},
-    {"void-density", "void-density", "of what fills the voids, g/cm^3; default 0"},
-    {"axle", "axle", "yoyo: radius of an axle between two halves, mm; default none, the body stays whole"},
-    {"slot", "slot", "yoyo: gap between the halves, mm; default the axle's radius"},
-    {"axle-depth", "axle-depth", "yoyo: of the hole for the axle in each half, mm; default twice its radius"},
-    {"fineness", "fineness", "of a parametric model: about 20 n^2 triangles"},
-    {"device", "device", "index or part of a name; default KREISEL_DEVICE, else a GPU, else PoCL"},
-    {"precision", "precision", "automatic or single (compensated)"},
-    {"repeat", "repeat", "timed solves at most; default 1"},
-    {"budget", "budget", "seconds after which no further repetition starts; default 20"},
-    {"target", "problem.target", "stand: centre, inside or max-tilt; default centre"},
-    {"lower", "problem.lower", "top: mass, height or none, beside the inertia ratio; default mass"},
-    {"draft", "problem.draft", "float: 60% of the height, mm, grams (40g) or solid; default 60%"},
-    {"fluid-density", "problem.fluid_density", "float: g/cm^3; default 1"},
-    {"point", "problem.point", "balance: where the centre of mass is to be, x,y,z in mm"},
-    {"line", "problem.line", "balance: direction of a line through that point"},
-};
+bool among(RunOptions::Names names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
 
 }  // namespace
 
@@ -61,29 +23,62 @@ void RunOptions::add(CLI::App& app, const std::string& option, const std::string
       option, [this, field](const std::string& text) { say(field, text); }, help);
 }
 
-void RunOptions::add(CLI::App& app, std::initializer_list<std::string_view> some) {
-  const bool all = some.size() == 0;
-  for (const auto& [option, field, help] : fields) {
-    if (!all && std::ranges::find(some, std::string_view(field)) == some.end()) continue;
-    const bool model = !all && field == std::string_view("model");
-    add(app, model ? "model,--model" : fmt::format("--{}", option), field, help);
-    if (model) app.get_option("--model")->required();
-  }
+void RunOptions::add_model(CLI::App& app) {
+  const Field<Run>* model = find_field(find_run_kind("solve").fields, "model");
+  add(app, "model,--model", "model", std::string(model->help));
+  app.get_option("--model")->required();
 }
 
-void RunOptions::add_settings(CLI::App& app, const std::string& help) {
-  app.add_option("--set", settings_, help)->allow_extra_args(false)->type_name("GROUP.NAME=VALUE");
+void RunOptions::add(CLI::App& app, const std::vector<const RunKind*>& kinds, Names some, Names but) {
+  std::vector<std::string_view> added;
+  for (const RunKind* kind : kinds)
+    for (const Field<Run>& field : kind->fields) {
+      if ((some.size() > 0 && !among(some, field.name)) || among(but, field.name) ||
+          std::ranges::find(added, field.name) != added.end())
+        continue;
+      added.push_back(field.name);
+      const std::string option = "--" + option_of(field), help(field.help), name(field.name);
+      CLI::Option* added_option = nullptr;
+      if (field.words == 1) {
+        added_option = app.add_option_function<std::string>(
+            option, [this, name](const std::string& text) { say(name, text); }, help);
+      } else {
+        added_option = app.add_option_function<std::vector<std::string>>(
+            option, [this, name](const std::vector<std::string>& words) { say(name, joined_words(words)); },
+            help);
+        if (field.words > 1) added_option->expected(field.words);
+      }
+      if (!field.unit.empty()) added_option->type_name(std::string(field.unit));
+    }
 }
 
-void RunOptions::apply(RunConfig& config) const {
-  for (const auto& [field, text] : given_) set_field(config, field, text);
+void RunOptions::add_settings(CLI::App& app, const RunKind& kind) {
+  app.add_option("--set", settings_, fmt::format("groups: {}", fmt::join(kind.groups, ", ")))
+      ->allow_extra_args(false)
+      ->type_name("GROUP.NAME=VALUE");
+}
+
+std::vector<GivenText> RunOptions::given() const {
+  std::vector<GivenText> all = given_;
   for (const std::string& setting : settings_) {
     const auto equals = setting.find('=');
     const auto dot = setting.find('.');
     if (equals == std::string::npos || dot == std::string::npos || dot > equals)
       throw InputError(fmt::format("--set {}; expected GROUP.NAME=VALUE", setting));
-    set_field(config, setting.substr(0, equals), setting.substr(equals + 1));
+    all.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
   }
+  return all;
+}
+
+void RunOptions::apply(RunConfig& config) const {
+  for (const GivenText& field : given()) set_field(config, field.name, field.text);
+}
+
+std::vector<const RunKind*> nesting_kinds() {
+  std::vector<const RunKind*> all;
+  for (const RunKind& kind : run_kinds())
+    if (std::holds_alternative<NestConfig>(kind.empty)) all.push_back(&kind);
+  return all;
 }
 
 }  // namespace kreisel::core::apps

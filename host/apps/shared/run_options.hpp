@@ -1,37 +1,45 @@
-// run_options.hpp - the fields of a run as options of a command line.
+// run_options.hpp - the fields of runs as options of a command line.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <initializer_list>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "session/config.hpp"
+#include "run/run.hpp"
 
 namespace kreisel::core::apps {
 
 /// Collects what options say of a run; what set_field() refuses is refused when all is parsed.
 class RunOptions {
  public:
-  /// @param field  as set_field() takes it
+  using Names = std::initializer_list<std::string_view>;
+
+  /// Options by the names of the fields of these kinds (option_of()), with the help that their table has, in
+  /// its order. @param some  names of fields; none: all
+  void add(CLI::App& app, const std::vector<const RunKind*>& kinds, Names some = {}, Names but = {});
+  /// The field "model" as an argument without a name, too, and required.
+  void add_model(CLI::App& app);
+  /// An option of another name, or with other help.
   void add(CLI::App& app, const std::string& option, const std::string& field, const std::string& help);
-  /// Options by the names of these fields (of problem.NAME by the name alone, with - for _), in the order in
-  /// which --help lists them; no names: all there are. Among a few, "model" is an argument without a name,
-  /// too, and required.
-  void add(CLI::App& app, std::initializer_list<std::string_view> fields = {});
-  /// --set GROUP.NAME=VALUE
-  void add_settings(CLI::App& app, const std::string& help);
+  /// --set GROUP.NAME=VALUE, of the groups that the kind takes
+  void add_settings(CLI::App& app, const RunKind& kind);
 
-  void say(const std::string& field, const std::string& text) { given_.emplace_back(field, text); }
+  void say(const std::string& field, const std::string& text) { given_.push_back({field, text}); }
 
-  /// @throws InputError  as set_field(); a setting that is not GROUP.NAME=VALUE
+  /// What was given: fields, then settings. @throws InputError  a setting that is not GROUP.NAME=VALUE
+  [[nodiscard]] std::vector<GivenText> given() const;
+  /// @throws InputError  as set_field()
   void apply(RunConfig& config) const;
+  [[nodiscard]] Run make(const RunKind& kind) const { return make_run(given(), kind); }
 
  private:
-  std::vector<std::pair<std::string, std::string>> given_;  ///< field, text
+  std::vector<GivenText> given_;
   std::vector<std::string> settings_;
 };
+
+/// All kinds of nestings. @return  those of run_kinds()
+[[nodiscard]] std::vector<const RunKind*> nesting_kinds();
 
 }  // namespace kreisel::core::apps

@@ -10,8 +10,10 @@
 
 namespace kreisel::core::nest {
 
-KeepOuts::KeepOuts(const Nesting& nesting, const std::vector<KeepOut>& balls) {
-  const TriangleMesh& mesh = nesting.outer();
+KeepOuts::KeepOuts(const Nesting& nesting, const std::vector<KeepOut>& balls)
+    : KeepOuts(nesting, balls, nesting.outer()) {}
+
+KeepOuts::KeepOuts(const Nesting& nesting, const std::vector<KeepOut>& balls, const TriangleMesh& mesh) {
   for (const KeepOut& ball : balls) {
     const Vec3 centre = nesting.to_file(ball.centre);
     const double radius = ball.radius * nesting.unit();

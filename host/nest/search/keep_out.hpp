@@ -19,6 +19,8 @@ class KeepOuts {
   KeepOuts() = default;
   /// @throws InputError  a radius that is not positive, or a ball without a vertex of A
   KeepOuts(const Nesting& nesting, const std::vector<KeepOut>& balls);
+  /// The same of another surface than A's, nesting units: where A is the space inside it.
+  KeepOuts(const Nesting& nesting, const std::vector<KeepOut>& balls, const TriangleMesh& surface);
 
   /// Whether the plane parts, or touches, the surface in a ball.
   [[nodiscard]] bool touched(const Cut& cut) const;

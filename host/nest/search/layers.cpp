@@ -88,6 +88,14 @@ OptimiseSpec about_centroid(OptimiseSpec search, const Nesting& nesting) {
   return search;
 }
 
+/// What of the outermost shape the first cut is to leave alone. @param outside  as the balls, mm
+void keep_out(OptimiseSpec& search, const Nesting& nesting, const TriangleMesh& outside) {
+  for (KeepOut& ball : search.keep_outs) ball = {nesting.to_units(ball.centre), ball.radius / nesting.unit()};
+  TriangleMesh surface = outside;
+  for (Vec3& v : surface.vertices) v = nesting.to_units(v);
+  search.surface = std::make_shared<const TriangleMesh>(std::move(surface));
+}
+
 /// From nesting units to the coordinates of the mesh outside, and on by a similarity without reflection.
 Cut cut_in_world(const Cut& cut, const Nesting& nesting, const Eigen::Affine3d& to_world) {
   const Eigen::Matrix3d turn = to_world.linear() / std::cbrt(to_world.linear().determinant());
@@ -164,10 +172,17 @@ class Builder {
     const Nesting nesting(std::move(space), shapes_[layer.inner]);
     layer.offset_seconds = offset.seconds();
 
-    const OptimiseResult found =
-        optimise(nesting, device_, about_centroid(spec_.search, nesting), [&](const SearchState& state) {
+    OptimiseSpec search = about_centroid(spec_.search, nesting);
+    if (depth == 0 && !search.keep_outs.empty())
+      keep_out(search, nesting, outside);
+    else
+      search.keep_outs.clear();
+    const OptimiseResult found = spec_.optimise(
+        nesting, device_, search,
+        [&](const SearchState& state) {
           return !on_iteration_ || on_iteration_(static_cast<int>(depth) + 1, state);
-        });
+        },
+        nullptr);
     layer.search_seconds = found.setup_seconds + found.search_seconds;
     layer.evaluations = found.state.evaluations();
     result_.interrupted = found.ended_early && !(found.search_seconds >= spec_.search.seconds);

@@ -28,8 +28,10 @@ struct LayersSpec {
   /// along sharp edges, where it stays on the safe side.
   int cells = 192;
   /// For every layer anew. What is not free: the rotation and the directions are as given; the centroid is
-  /// that of the space inside, and the plane goes through it.
+  /// that of the space inside, and the plane goes through it. Keep-outs are balls in the outermost shape's
+  /// coordinates, mm, and the outermost cut's alone.
   OptimiseSpec search;
+  Optimiser optimise = nest::optimise;
 };
 
 /// One shape in the one outside it.

@@ -63,7 +63,7 @@ Asking make_asking(const Nesting& nesting, device::Device& device, const Optimis
     constexpr int lattice = 4096;
     space.start_near(deep_points(nesting, lattice));
   }
-  KeepOuts keep_outs(nesting, spec.keep_outs);
+  KeepOuts keep_outs(nesting, spec.keep_outs, spec.surface ? *spec.surface : nesting.outer());
   Asking asking;
   if (basic) {
     asking.feasibility = make_feasibility(spec.test, device, nesting, spec.resolution);

@@ -18,6 +18,8 @@ namespace kreisel::core::nest {
 struct OptimiseSpec {
   Freedom freedom;
   std::vector<KeepOut> keep_outs;
+  /// What the cut parts, nesting units, where A is the space inside it; null: A's surface.
+  std::shared_ptr<const TriangleMesh> surface = nullptr;
   /// `basic`: the scale is one of a particle's numbers, and a test decides; `hybrid`: each particle searches
   /// its own scale; `hybrid+abort`: and gives up below its best.
   std::string variant = "hybrid+abort";
@@ -49,6 +51,11 @@ using OnIteration = std::function<bool(const SearchState& state)>;
 [[nodiscard]] OptimiseResult optimise(const Nesting& nesting, device::Device& device,
                                       const OptimiseSpec& spec, const OnIteration& on_iteration = {},
                                       const SearchState* resume = nullptr);
+
+/// optimise(), or another search that is asked and answers like it.
+using Optimiser =
+    std::function<OptimiseResult(const Nesting& nesting, device::Device& device, const OptimiseSpec& spec,
+                                 const OnIteration& on_iteration, const SearchState* resume)>;
 
 /// An objective over placements with all that it asks.
 struct Asking {

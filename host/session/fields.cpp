@@ -1,0 +1,260 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "error.hpp"
+#include "formulation/formulation.hpp"
+#include "parse.hpp"
+#include "problem/problem.hpp"
+#include "session/config.hpp"
+#include "session/field_text.hpp"
+#include "solve/solver.hpp"
+
+namespace kreisel::core {
+using namespace field_text;
+namespace {
+
+using A = Asked&;
+using ConstA = const Asked&;
+using C = RunConfig&;
+using ConstC = const RunConfig&;
+using S = std::string_view;
+
+GridSpec grid(S key, S value) {
+  GridSpec spec;
+  std::vector<int> cells;
+  for (const S part : split(value, 'x')) cells.push_back(parse<int>(part).value_or(-1));
+  if (cells.size() == 1 && cells[0] >= 2)
+    spec.resolution = cells[0];
+  else if (cells.size() == 3 && std::ranges::min(cells) >= 2)
+    spec.cells = {cells[0], cells[1], cells[2]};
+  else
+    refuse(key, value, "cells along the longest side (2 to 1024), or NXxNYxNZ");
+  return spec;
+}
+
+/// Levels that are too many are refused by the grid, with the memory that they would need.
+GridSpec grid_of_level(S key, S value) {
+  constexpr int most = 20;
+  const int level = parse<int>(value).value_or(-1);
+  if (level < 1 || level > most) refuse(key, value, "1 to 10: 2^level cells along the longest side");
+  GridSpec spec;
+  spec.resolution = 1 << level;
+  return spec;
+}
+
+std::string number_text(double v) { return fmt::format("{}", v); }
+std::string number_text(const std::optional<double>& v) { return v ? number_text(*v) : ""; }
+std::string point_text(const std::optional<Vec3>& v) { return v ? text_of(*v) : ""; }
+
+/// Which body, and how large.
+Fields<Asked> body_fields() {
+  return grouped<Asked>(
+      "body",
+      {{"model", "", "a name of `bench list`, or a mesh file (STL, 3MF, OBJ, PLY, OFF); default ellipsoid",
+        [](A a, S, S v) { a.body.model = v; }, [](ConstA a) { return a.body.model; }, Identity::always, 1,
+        true},
+       {"unit", "", "of an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm",
+        [](A a, S, S v) { a.body.unit = find_length_unit(v); },
+        [](ConstA a) { return a.body.unit ? std::string(a.body.unit->name) : ""; }},
+       {"weld", "mm", "corners at open edges of a file this near are one; default as its digits say",
+        [](A a, S k, S v) {
+          a.body.weld = number(k, v);
+          if (*a.body.weld < 0) refuse(k, v, "0 mm or more");
+        },
+        [](ConstA a) { return number_text(a.body.weld); }},
+       {"size", "mm", "longest side; default as the model is",
+        [](A a, S k, S v) { a.body.size = number(k, v); }, [](ConstA a) { return number_text(a.body.size); }},
+       {"fineness", "", "of a parametric model: about 20 n^2 triangles",
+        [](A a, S k, S v) { a.body.fineness = whole(k, v, 1); },
+        [](ConstA a) { return std::to_string(a.body.fineness); }}});
+}
+
+/// How it lies, and what it is of.
+Fields<Asked> pose_fields() {
+  return grouped<Asked>(
+      "pose and material",
+      {{"axis", "x,y,z", "spin axis in model coordinates; default up",
+        [](A a, S k, S v) { a.body.axis = vector(k, v); }, [](ConstA a) { return point_text(a.body.axis); }},
+       {"contact", "x,y,z",
+        "a point of the axis, mm; default the lowest along it, for yoyo the centre of mass",
+        [](A a, S k, S v) { a.body.contact = vector(k, v); },
+        [](ConstA a) { return point_text(a.body.contact); }},
+       {"up", "x,y,z", "up direction; default the model's, else 0,0,1",
+        [](A a, S k, S v) { a.body.up = vector(k, v); }, [](ConstA a) { return point_text(a.body.up); }},
+       {"density", "g/cm^3", "of the shell; default 1", [](A a, S k, S v) { a.body.density = number(k, v); },
+        [](ConstA a) { return number_text(a.body.density); }, Identity::always},
+       {"interior-density", "g/cm^3", "of what is left of the interior; default the shell's",
+        [](A a, S k, S v) { a.body.interior_density = number(k, v); },
+        [](ConstA a) { return number_text(a.body.interior_density); }},
+       {"void-density", "g/cm^3", "of what fills the voids; default 0",
+        [](A a, S k, S v) { a.body.void_density = number(k, v); },
+        [](ConstA a) { return number_text(a.body.void_density); }},
+       {"axle", "mm", "yoyo: radius of an axle between two halves; default none, the body stays whole",
+        [](A a, S k, S v) { a.body.axle.radius = number(k, v); },
+        [](ConstA a) { return number_text(a.body.axle.radius); }},
+       {"slot", "mm", "yoyo: gap between the halves; default the axle's radius",
+        [](A a, S k, S v) { a.body.axle.slot = number(k, v); },
+        [](ConstA a) { return number_text(a.body.axle.slot); }},
+       {"axle-depth", "mm", "yoyo: of the hole for the axle in each half; default twice its radius",
+        [](A a, S k, S v) { a.body.axle.depth = number(k, v); },
+        [](ConstA a) { return number_text(a.body.axle.depth); }}});
+}
+
+/// What is asked, and how it is answered. A name that nobody knows is told where it is written, not when its
+/// turn comes.
+Fields<Asked> question_fields() {
+  return grouped<Asked>(
+      "question",
+      {{"problem", "", "what is asked; default spin", [](A a, S, S v) { a.problem = find_problem(v).name; },
+        [](ConstA a) { return a.problem; }, Identity::always},
+       {"formulation", "", "how the interior is described; default rayrep",
+        [](A a, S, S v) { a.formulation = find_formulation(v).name; }, [](ConstA a) { return a.formulation; },
+        Identity::always},
+       {"solver", "", "default the first that works with the formulation: ipopt, for quadric moment",
+        [](A a, S, S v) {
+          (void)solvers().find(v);
+          a.solver = v;
+        },
+        [](ConstA a) { return solver_of(a); }, Identity::always}});
+}
+
+/// Over which domain.
+Fields<Asked> domain_fields() {
+  return grouped<Asked>(
+      "domain",
+      {{"domain", "", "columns (whole cells) or exact (cut at the wall); default columns, for quadric exact",
+        [](A a, S k, S v) {
+          if (v != "columns" && v != "exact") refuse(k, v, "columns or exact");
+          a.domain = v;
+        },
+        [](ConstA a) { return domain_of(a); }},
+       {"resolution", "", "cells along the longest side, or NXxNYxNZ; default 64",
+        [](A a, S k, S v) { a.grid = grid(k, v); }, [](ConstA a) { return grid_text(a.grid); },
+        Identity::always},
+       {"level", "", "of an octree: 2^level cells along the longest side",
+        [](A a, S k, S v) { a.grid = grid_of_level(k, v); }, [](ConstA) { return std::string(); },
+        Identity::none},
+       {"wall", "", "least wall: 1.5h (cells), 2% (of the longest side) or mm; default 1.5h",
+        [](A a, S, S v) {
+          const bool to_corners = a.wall.to_corners;
+          a.wall = parse_wall(std::string(v));
+          a.wall.to_corners = to_corners;
+        },
+        [](ConstA a) { return to_string(a.wall); }, Identity::always},
+       {"wall-to", "", "what of a voxel is a wall away from the surface: centres (default) or corners",
+        [](A a, S k, S v) {
+          if (v != "centres" && v != "corners") refuse(k, v, "centres or corners");
+          a.wall.to_corners = v == "corners";
+        },
+        [](ConstA a) { return std::string(a.wall.to_corners ? "corners" : "centres"); }}});
+}
+
+Fields<Asked> device_fields() {
+  return grouped<Asked>(
+      "device", {{"device", "", "index or part of a name; default KREISEL_DEVICE, else a GPU, else PoCL",
+                  [](A a, S, S v) { a.device = v; }, [](ConstA a) { return a.device; }},
+                 {"precision", "", "automatic or single (compensated)",
+                  [](A a, S k, S v) {
+                    if (v != "automatic" && v != "single") refuse(k, v, "automatic or single");
+                    a.single_precision = v == "single";
+                  },
+                  [](ConstA a) { return std::string(a.single_precision ? "single" : "automatic"); }}});
+}
+
+/// A problem's setting that has an option of its own. Its text is said among the settings.
+Field<Asked> setting(S name, S help) {
+  return {name,
+          "",
+          help,
+          [](A a, S k, S v) { a.settings[std::string(k)] = v; },
+          [name](ConstA a) {
+            const auto found = a.settings.find(std::string(name));
+            return found == a.settings.end() ? "" : found->second;
+          },
+          Identity::changed};
+}
+
+Fields<Asked> setting_fields() {
+  return grouped<Asked>(
+      "the problem's settings",
+      {setting("problem.target", "stand: centre, inside or max-tilt; default centre"),
+       setting("problem.lower", "top: mass, height or none, beside the inertia ratio; default mass"),
+       setting("problem.draft", "float: 60% of the height, mm, grams (40g) or solid; default 60%"),
+       setting("problem.fluid_density", "float: g/cm^3; default 1"),
+       setting("problem.point", "balance: where the centre of mass is to be, x,y,z in mm"),
+       setting("problem.line", "balance: direction of a line through that point")});
+}
+
+/// How often, how long, how near, and whether a part is made.
+Fields<RunConfig> effort_fields() {
+  return grouped<RunConfig>(
+      "effort",
+      {{"part", "", "written (default), or none: the run ends with the solve",
+        [](C c, S k, S v) {
+          if (v != "none" && v != "written") refuse(k, v, "none or written");
+          c.part = v == "none" ? Part::none : Part::written;
+        },
+        [](ConstC c) { return std::string(c.part == Part::none ? "none" : "written"); }},
+       {"repeat", "", "timed solves at most; default 1", [](C c, S k, S v) { c.repeat = whole(k, v, 1); },
+        [](ConstC c) { return std::to_string(c.repeat); }, Identity::none},
+       {"budget", "s", "after which no further repetition starts; default 20",
+        [](C c, S k, S v) {
+          c.budget_seconds = number(k, v);
+          if (c.budget_seconds < 0) refuse(k, v, "seconds >= 0");
+        },
+        [](ConstC c) { return number_text(c.budget_seconds); }, Identity::none},
+       {"certify", "",
+        "a relative gap: prove that the result is at most so far from the best; default no proof",
+        [](C c, S k, S v) {
+          c.certify = number(k, v);
+          if (!(c.certify > 0 && c.certify < 1)) refuse(k, v, "a gap between 0 and 1, such as 1e-3");
+        },
+        [](ConstC c) { return number_text(c.certify); }},
+       {"memory", "GB",
+        "of an experiment's run, as a process of its own: at most so much; default as there is",
+        [](C c, S k, S v) {
+          c.limits.gigabytes = number(k, v);
+          if (!(c.limits.gigabytes > 0)) refuse(k, v, "GB > 0");
+        },
+        [](ConstC c) { return number_text(c.limits.gigabytes); }, Identity::none},
+       {"seconds", "s", "of an experiment's run, as a process of its own: at most so long; default for ever",
+        [](C c, S k, S v) {
+          c.limits.seconds = number(k, v);
+          if (!(c.limits.seconds > 0)) refuse(k, v, "seconds > 0");
+        },
+        [](ConstC c) { return number_text(c.limits.seconds); }, Identity::none}});
+}
+
+}  // namespace
+
+const Fields<Asked>& asked_fields() {
+  static const Fields<Asked> all = joined<Asked>(body_fields(), pose_fields(), question_fields(),
+                                                 domain_fields(), device_fields(), setting_fields());
+  return all;
+}
+
+const Fields<RunConfig>& rounding_fields() {
+  static const Fields<RunConfig> all = grouped<RunConfig>(
+      "effort",
+      {{"rounding", "", "of the written part: nearest, or fitted so that the constraints hold (default)",
+        [](C c, S k, S v) {
+          if (v != "nearest" && v != "fitted") refuse(k, v, "nearest or fitted");
+          c.rounding = v == "nearest" ? Rounding::nearest : Rounding::fitted;
+        },
+        [](ConstC c) { return std::string(c.rounding == Rounding::nearest ? "nearest" : "fitted"); }}});
+  return all;
+}
+
+const Fields<RunConfig>& solve_fields() {
+  static const Fields<RunConfig> all = joined<RunConfig>(asked_fields(), rounding_fields(), effort_fields());
+  return all;
+}
+
+std::string_view emit_fields() {
+  std::string_view none;
+  return none;
+}
+
+}  // namespace kreisel::core
