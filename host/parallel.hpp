@@ -10,18 +10,24 @@
 #include <thread>
 #include <vector>
 
+#include "stop.hpp"
+
 namespace kreisel::core {
 
 /// Calls body(i) once for every i < count, in any order, on as many threads as the machine has. The pieces
 /// share nothing they write to, so the result depends on none of that. The first exception is thrown again
-/// when all threads are done; pieces not begun by then are left out.
+/// when all threads are done; pieces not begun by then are left out. Asks for a stop ahead of every piece
+/// (stop.hpp), and its threads are in the StopScope of the one that calls it.
 template <class Body>
 void parallel_for(std::size_t count, Body&& body) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;
   std::mutex failing;
+  const std::stop_token stop = StopScope::current();
   const auto work = [&] {
+    const StopScope scope(stop);
     for (std::size_t i = next++; i < count; i = next++) try {
+        stop_here();
         body(i);
       } catch (...) {
         const std::scoped_lock lock(failing);

@@ -15,7 +15,23 @@ threads() {
     TSAN_OPTIONS="suppressions=$PWD/tests/library/threads.supp ignore_noninstrumented_modules=1 halt_on_error=1 exitcode=66" $build/threads
 }
 
-[ $# -gt 0 ] || set -- threads
+# Every reader fed by libFuzzer, for ten minutes each; KREISEL_FUZZ_SECONDS says otherwise. What it finds lies in
+# build/fuzz/found: mend it, and add the file to tests/data/fuzz.
+fuzz() {
+  local build=build/fuzz seconds=${KREISEL_FUZZ_SECONDS:-600} wrong=0 reader
+  cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS="-O1 -g1" -DKREISEL_FUZZ=ON \
+      -DKREISEL_TESTS=OFF -DKREISEL_MICRO=OFF || return 1
+  for reader in ${KREISEL_FUZZ_READERS:-off obj ply stl 3mf experiment}; do
+    cmake --build $build --target "fuzz_$reader" || return 1
+    mkdir -p "$build/corpus/$reader" "$build/found"
+    ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 "$build/tests/fuzz/fuzz_$reader" -max_total_time="$seconds" -timeout=10 \
+      -rss_limit_mb=2048 -max_len=16384 -print_final_stats=1 -artifact_prefix="$build/found/$reader-" \
+      "$build/corpus/$reader" "tests/data/fuzz/$reader" || wrong=1
+  done
+  return $wrong
+}
+
+[ $# -gt 0 ] || set -- threads fuzz
 for name; do
   began=$SECONDS
   if "$name"; then ending=passed; else ending=FAILED failed=1; fi

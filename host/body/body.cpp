@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "body/mesh_moments.hpp"
 #include "body/source.hpp"
@@ -72,32 +73,56 @@ void pose(Body& body, const BodySpec& spec) {
   if (spec.contact) require_near_axis(body);
 }
 
+/// Another frame of the same length. @param mesh  the body's, model coordinates
+void lay(Body& body, const TriangleMesh& mesh, const Vec3& axis, const Vec3& contact) {
+  body.axis = axis.normalized();
+  body.contact = contact;
+  body.frame = {axis_to_z(body.axis), contact, body.frame.length};
+  for (std::size_t i = 0; i < body.local.vertices.size(); ++i)
+    body.local.vertices[i] = body.frame.to_body(mesh.vertices[i]);
+}
+
+/// Moments in one frame as they are in another of the same length.
+Moments moved_into(const Frame& to, const Moments& s, const Frame& from) {
+  return transformed(s, to.rotation * from.rotation.transpose(), to.to_body(from.origin));
+}
+
 }  // namespace
 
-Body reposed(const Body& made, const BodySpec& spec) {
+Body reposed(Body body, const BodySpec& spec) {
   require_valid(spec);
-  Body body = made;
+  const Vec3 axis = body.axis, contact = body.contact;
+  const Frame frame = body.frame;
+  const Moments solid = body.solid;
   set_densities(body, spec);
   pose(body, spec);
-  if (spec.centred && !spec.contact) body.contact = made.frame.to_model(centre_of_mass(made.solid));
-  if (body.axis != made.axis || body.contact != made.contact) reframe(body, made, body.axis, body.contact);
+  if (spec.centred && !spec.contact) body.contact = frame.to_model(centre_of_mass(solid));
+  if (body.axis != axis || body.contact != contact) {
+    lay(body, body.mesh, body.axis, body.contact);
+    body.solid = moved_into(body.frame, solid, frame);
+  }
   return body;
 }
 
 Vec3 lowest_point(const TriangleMesh& mesh, const Vec3& axis) {
-  double low = mesh.vertices.front().dot(axis), high = low;
+  // Far from the origin heights are taken above a point of the mesh, or they would lose their digits.
+  const Vec3 from = mesh.vertices.front();
+  const auto height = [&](const Vec3& v) { return (v - from).dot(axis); };
+  double low = 0, high = 0;
   for (const Vec3& v : mesh.vertices) {
-    low = std::min(low, v.dot(axis));
-    high = std::max(high, v.dot(axis));
+    low = std::min(low, height(v));
+    high = std::max(high, height(v));
   }
+  const double rounding =
+      4 * std::numeric_limits<double>::epsilon() * from.cwiseAbs().maxCoeff() * axis.norm();
   Vec3 sum = Vec3::Zero();
   int count = 0;
   for (const Vec3& v : mesh.vertices)
-    if (v.dot(axis) <= low + 1e-9 * (high - low)) {
-      sum += v;
+    if (height(v) <= low + std::max(1e-9 * (high - low), rounding)) {
+      sum += v - from;
       ++count;
     }
-  return sum / count;
+  return from + sum / count;
 }
 
 Body make_body(const BodySpec& spec, device::Device& device) {
@@ -123,15 +148,21 @@ Body laid(const BodySpec& spec, Source source, const MomentsOf& moments_of) {
   body.usual = {source.axis.normalized(), source.up.normalized(), {}};
   if (source.contact) body.usual.contact = scale * *source.contact;
   pose(body, spec);
-  Moments about_origin = moments_of(body.mesh);
-  if (spec.centred && !spec.contact) body.contact = centre_of_mass(about_origin);
+  // About a point of the body: about an origin far away the digits of a moment are those of the distance.
+  const auto volume_and_centre = [&] {
+    const Vec3 middle = bounding_box(body.mesh).centre();
+    const Moments s = moments_of(moved(body.mesh, Eigen::Translation3d(-middle)));
+    return std::pair(s[S1], Vec3(centre_of_mass(s) + middle));
+  };
+  auto [volume, centre] = volume_and_centre();
+  if (spec.centred && !spec.contact) body.contact = centre;
   body.axle = axle_of(spec.axle);
   if (body.axle) {
     const Frame millimetres{axis_to_z(body.axis), body.contact, 1};
     body.mesh = to_model(millimetres, halves(to_body(millimetres, body.mesh), *body.axle));
-    about_origin = moments_of(body.mesh);
+    volume = volume_and_centre().first;
   }
-  body.frame = {axis_to_z(body.axis), body.contact, std::cbrt(about_origin[S1])};
+  body.frame = {axis_to_z(body.axis), body.contact, std::cbrt(volume)};
   body.local = to_body(body.frame, body.mesh);
   body.solid = moments_of(body.local);
   if (body.axle) {
@@ -155,13 +186,8 @@ Body make_body(const BodySpec& spec, Source source) {
 }
 
 void reframe(Body& body, const Body& made, const Vec3& axis, const Vec3& contact) {
-  body.axis = axis.normalized();
-  body.contact = contact;
-  body.frame = {axis_to_z(body.axis), contact, made.frame.length};
-  for (std::size_t i = 0; i < body.local.vertices.size(); ++i)
-    body.local.vertices[i] = body.frame.to_body(made.mesh.vertices[i]);
-  body.solid = transformed(made.solid, body.frame.rotation * made.frame.rotation.transpose(),
-                           body.frame.to_body(made.frame.origin));
+  lay(body, made.mesh, axis, contact);
+  body.solid = moved_into(body.frame, made.solid, made.frame);
 }
 
 MassModel hollowed(const Body& body, const Moments& interior) {

@@ -96,7 +96,7 @@ void reframe(Body& body, const Body& made, const Vec3& axis, const Vec3& contact
 /// The same solid as another specification of the same mesh, size and axle wants it: axis, contact and
 /// densities; what make_body() would make anew, up to round-off.
 /// @throws InputError  as make_body()
-[[nodiscard]] Body reposed(const Body& made, const BodySpec& spec);
+[[nodiscard]] Body reposed(Body made, const BodySpec& spec);
 
 using kreisel::MassModel;
 

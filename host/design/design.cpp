@@ -14,6 +14,7 @@
 #include "fabricate/wall.hpp"
 #include "parse.hpp"
 #include "session/other_axes.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 
@@ -68,7 +69,8 @@ class Finishing {
   [[nodiscard]] const std::vector<Plane>& planes() const { return planes_; }
   [[nodiscard]] const std::vector<Drain>& drains() const { return drains_; }
 
-  std::vector<MaterialPart> operator()(const Body& body, const std::vector<MaterialPart>& parts) {
+  std::vector<MaterialPart> operator()(const Body& body, const std::vector<MaterialPart>& parts,
+                                       const Control& control) {
     if (parts.size() > 1 && drain_ > 0)
       throw InputError("--drain of a part of several materials; expected one of a single material");
     MaterialPart part = parts.front();
@@ -77,7 +79,7 @@ class Finishing {
       std::ranges::copy(find_voids(part.surfaces, cut_directions(body)).cuts, std::back_inserter(planes_));
     if (drain_ > 0) {
       if (drains_.empty())
-        drains_ = drains_of(part.surfaces[0], part.surfaces[1], drain_, body.frame.rotation.row(2));
+        drains_ = drains_of(part.surfaces[0], part.surfaces[1], drain_, body.frame.rotation.row(2), control);
       part.surfaces = {drained(part.surfaces[0], part.surfaces[1], drains_, drain_)};
     }
     std::vector<MaterialPart> pieces = {part};
@@ -126,6 +128,7 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
   design.printer_accuracy = spec.printer_accuracy;
   design.part.outer = run.body().mesh;
   if (run.result.outcome.termination != Termination::infeasible) {
+    const StopScope scope(control.stop);
     control.tell("mesh, write, verify");
     PartOptions options;
     options.least_void = std::pow(5 * spec.printer_accuracy, 3);
@@ -133,13 +136,14 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
     if (finishing.wanted() || spec.mould)
       options.finish = [&](const std::vector<MaterialPart>& parts) {
         if (spec.mould) cast = cast_of(parts, run.body().density, options.least_void);
-        return finishing.wanted() ? finishing(run.body(), parts) : parts;
+        return finishing.wanted() ? finishing(run.body(), parts, control) : parts;
       };
     design.part = make_part(run, spec.file.string(), options);
     if (!cast.empty()) control.tell("mould");
     if (!cast.empty()) design.moulds = write_moulds(spec.file, cast);
     design.cuts = finishing.planes();
     design.drains = finishing.drains();
+    design.drain_radius = spec.drain_radius;
     control.tell("measure the walls");
     design.wall = least_wall(design.part.outer, design.part.cavity);
     design.thinnest = thinnest_material(design.part.outer, design.part.cavity);

@@ -44,6 +44,7 @@ struct Design {
   double printer_accuracy;    ///< as asked, mm
   std::vector<Plane> cuts;    ///< by which it was cut
   std::vector<Drain> drains;  ///< holes into voids
+  double drain_radius = 0;    ///< as asked, mm; 0: none
   std::vector<WrittenMould> moulds;
   std::string other_axes;  ///< where it cannot spin about the axis that was asked for: about which it can
   std::vector<std::filesystem::path> files;

@@ -5,11 +5,14 @@
 namespace kreisel::core {
 
 Figures figures_of(const Moments& body, double volume, const RunResult& run, const Problem& problem) {
-  const Moments s = run.model_moments(body);
+  // About the body's own origin, along the model's axes: far from the model's origin digits would cancel.
+  Frame frame = run.frame;
+  frame.origin = Vec3::Zero();
+  const Moments s = run.model_moments(body, frame);
   Figures f;
   f.mass = s[S1];
   f.volume = volume;
-  f.centre_of_mass = kreisel::core::centre_of_mass(s);
+  f.centre_of_mass = run.frame.origin + kreisel::core::centre_of_mass(s);
   f.inertia = inertia_about_centre(s);
   const PrincipalAxes principal(f.inertia);
   f.principal = principal.moments;

@@ -20,6 +20,7 @@
 #include "mesh/solid/components.hpp"
 #include "nest/search/layers.hpp"
 #include "run/nest_parts.hpp"
+#include "stop.hpp"
 #include "stopwatch.hpp"
 
 namespace kreisel::core {
@@ -240,6 +241,7 @@ Nested make_nested(const NestedSpec& spec, const Control& control) {
   if (found.layers.empty()) return nested;
   control.tell("carve, cut, write, verify");
   const Stopwatch making;
+  const StopScope scope(control.stop);
   Builder builder(nested, shapes, found, control);
   const std::vector<MaterialPart> parts = builder.parts();
   control.stop_if_asked();

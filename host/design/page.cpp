@@ -1,6 +1,7 @@
 #include "design/page.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <bit>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <string_view>
 
 #include "error.hpp"
+#include "geometry/single_precision.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -27,12 +29,14 @@ std::string base64(const std::vector<std::uint32_t>& words) {
   return text;
 }
 
-/// Little-endian floats and indices. @param skin  the page can hide it
-std::string surface(const TriangleMesh& mesh, std::string_view colour, bool skin = false) {
+/// Little-endian floats and indices. @param origin  what positions are about  @param skin  the page can hide
+/// it
+std::string surface(const TriangleMesh& mesh, const Vec3& origin, std::string_view colour,
+                    bool skin = false) {
   std::vector<std::uint32_t> positions, indices;
   positions.reserve(3 * mesh.vertices.size());
   for (const Vec3& v : mesh.vertices)
-    for (int a = 0; a < 3; ++a) positions.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(v[a])));
+    for (const float x : (v - origin).cast<float>()) positions.push_back(std::bit_cast<std::uint32_t>(x));
   indices.reserve(3 * mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) indices.insert(indices.end(), t.begin(), t.end());
   return fmt::format(R"({{"colour": "{}", "skin": {}, "positions": "{}", "indices": "{}"}})", colour, skin,
@@ -55,9 +59,11 @@ std::string within_script(const std::string& text) {
   return safe;
 }
 
-std::string page(const std::string& bodies, const std::string& report, const std::string& three) {
+std::string page(const std::string& bodies, const Vec3& origin, const std::string& report,
+                 const std::string& three) {
   std::string text = page_template;
   replace(text, "@BODIES@", bodies);
+  replace(text, "@ORIGIN@", fmt::format("[{}]", fmt::join(origin, ", ")));
   replace(text, "@REPORT@", within_script(report));
   replace(text, "@THREE@", three);
   return text;
@@ -66,23 +72,29 @@ std::string page(const std::string& bodies, const std::string& report, const std
 }  // namespace
 
 std::string page_of(const Design& design, const std::string& three) {
-  const std::string surfaces =
-      surface(design.part.outer, "#b9c4ce", true) + ", " + surface(design.part.cavity, "#7fc0b6");
-  return page(fmt::format(R"([{{"cap": "#e9c46a", "surfaces": [{}]}}])", surfaces), to_json(design), three);
+  const Vec3 origin = place_of(bounding_box(design.part.outer));
+  const std::string surfaces = surface(design.part.outer, origin, "#b9c4ce", true) + ", " +
+                               surface(design.part.cavity, origin, "#7fc0b6");
+  return page(fmt::format(R"([{{"cap": "#e9c46a", "surfaces": [{}]}}])", surfaces), origin, to_json(design),
+              three);
 }
 
 std::string page_of(const Nested& nested, const std::string& three) {
   constexpr std::string_view colours[] = {"#b9c4ce", "#7fc0b6", "#d8a48f", "#a9b665", "#b7a3d0"},
                              caps[] = {"#e9c46a", "#2a9d8f", "#e76f51", "#6a994e", "#7b5ea7"};
   std::string bodies;
+  Box box;
+  for (const NestedPart& part : nested.parts)
+    for (const Vec3& v : part.mesh.vertices) box.add(v);
+  const Vec3 origin = place_of(box);
   for (const NestedPart& part : nested.parts) {
     const std::size_t k = part.layer % std::size(colours);
     const Vec3 apart = nested.apart(part);
     bodies += fmt::format(R"({}{{"cap": "{}", "apart": [{}, {}, {}], "surfaces": [{}]}})",
                           bodies.empty() ? "" : ", ", caps[k], apart[0], apart[1], apart[2],
-                          surface(part.mesh, colours[k]));
+                          surface(part.mesh, origin, colours[k]));
   }
-  return page("[" + bodies + "]", to_json(nested), three);
+  return page("[" + bodies + "]", origin, to_json(nested), three);
 }
 
 std::string installed_three() {

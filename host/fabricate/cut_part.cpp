@@ -104,8 +104,9 @@ std::vector<Vec2> places(const Level& level, const Pegs& pegs) {
 }
 
 /// What of a solid lies above or below the plane, in single precision; empty where there is nothing.
+/// @param place  what the coordinates are about
 TriangleMesh half_of(const TriangleMesh& solid, bool above, const Level& level,
-                     const std::vector<Vec2>& pegs_at, const Pegs& pegs) {
+                     const std::vector<Vec2>& pegs_at, const Pegs& pegs, const Vec3& place) {
   const Eigen::Matrix3d over = above ? Vec3(1, 1, 1).asDiagonal() : Vec3(1, -1, -1).asDiagonal();
   const Eigen::Matrix3d turn = over * level.rotation;
   std::vector<BlindHole> holes;
@@ -117,7 +118,7 @@ TriangleMesh half_of(const TriangleMesh& solid, bool above, const Level& level,
   int axis = 0;
   const Vec3 upwards = turn.row(2);
   upwards.cwiseAbs().maxCoeff(&axis);
-  const auto as_written = [&](const Vec3& v) { return in_single_precision(turn.transpose() * v); };
+  const auto as_written = [&](const Vec3& v) { return in_single_precision(turn.transpose() * v, place); };
   const WrittenAs written{[&](const Vec3& v) -> Vec3 { return turn * as_written(v); },
                           [&](const Vec3& v) -> Vec2 {
                             const Vec2 p = drop(as_written(v), axis);
@@ -125,7 +126,8 @@ TriangleMesh half_of(const TriangleMesh& solid, bool above, const Level& level,
                           }};
   TriangleMesh mesh =
       above_plane(moved(std::move(flat), over), above ? level.height : -level.height, holes, written);
-  mesh = in_single_precision(moved(std::move(mesh), turn.transpose()));  // there and back is round-off off
+  mesh = in_single_precision(moved(std::move(mesh), turn.transpose()),
+                             place);  // there and back is round-off off
   RepairReport ignored;
   return mesh.triangles.empty() ? mesh : repaired(std::move(mesh), ignored);
 }
@@ -156,15 +158,21 @@ void require_pegs_fit(const Pegs& pegs, std::size_t planes) {
                     pegs.radius, planes, Pegs::clearance));
 }
 
+/// The surfaces as one, about the part's place, in single precision.
+TriangleMesh about_place(const MaterialPart& part) {
+  return in_single_precision(moved(joined(part.surfaces, part.name), Eigen::Translation3d(-part.place)),
+                             part.place);
+}
+
 }  // namespace
 
 std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Plane> planes,
                                    const Pegs& pegs) {
   require_pegs_fit(pegs, planes.size());
-  std::vector<MaterialPart> pieces = {
-      {part.name, part.density, {in_single_precision(joined(part.surfaces, part.name))}}};
+  std::vector<MaterialPart> pieces = {{part.name, part.density, {about_place(part)}}};
   std::vector<MaterialPart> pins;
-  for (const Plane& plane : planes) {
+  for (const Plane& far : planes) {
+    const Plane plane{far.normal, -far.above(part.place)};  // about the place
     std::vector<MaterialPart> next;
     for (const MaterialPart& piece : pieces) {
       const TriangleMesh& solid = piece.surfaces.front();
@@ -172,17 +180,22 @@ std::vector<MaterialPart> cut_part(const MaterialPart& part, std::span<const Pla
       const std::vector<Vec2> at = pegs.radius > 0 ? places(level, pegs) : std::vector<Vec2>{};
       const std::size_t before = next.size();
       for (const bool above : {true, false})
-        if (TriangleMesh half = half_of(solid, above, level, at, pegs); !half.triangles.empty())
+        if (TriangleMesh half = half_of(solid, above, level, at, pegs, part.place); !half.triangles.empty())
           next.push_back({"", part.density, {std::move(half)}, level.down(above)});
       if (next.size() == before + 1) next.back().down = piece.down;  // the plane missed it
       add_pins(pins, level, at, pegs, part.density);
     }
-    if (next.size() == pieces.size()) refuse_plane_that_misses(plane);
+    if (next.size() == pieces.size()) refuse_plane_that_misses(far);
     pieces = std::move(next);
   }
   for (std::size_t i = 0; i < pieces.size(); ++i)
     pieces[i].name = pieces.size() == 2 ? (i == 0 ? "upper" : "lower") : fmt::format("piece-{}", i + 1);
   for (MaterialPart& peg : pins) pieces.push_back(std::move(peg));
+  for (MaterialPart& piece : pieces) {
+    piece.place = part.place;
+    for (TriangleMesh& surface : piece.surfaces)
+      surface = moved(std::move(surface), Eigen::Translation3d(part.place));
+  }
   return pieces;
 }
 
@@ -196,7 +209,7 @@ std::vector<MaterialPart> cut_in_halves(const TriangleMesh& solid, const HalfVoi
   for (const bool above : {true, false}) {
     const char* name = above ? "upper" : "lower";
     const TriangleMesh whole = in_single_precision(joined({solid, above ? voids.upper : voids.lower}, name));
-    TriangleMesh half = half_of(whole, above, level, at, pegs);
+    TriangleMesh half = half_of(whole, above, level, at, pegs, Vec3::Zero());
     if (half.triangles.empty()) refuse_plane_that_misses(plane);
     parts.push_back({name, density, {std::move(half)}, level.down(above)});
   }

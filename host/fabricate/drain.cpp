@@ -18,6 +18,7 @@
 #include "mesh/make/refine.hpp"
 #include "mesh/query/distance.hpp"
 #include "mesh/solid/components.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -42,13 +43,17 @@ class Bore {
   Eigen::Matrix3d rotation_;
 };
 
-/// Does the bore's axis go through the triangle?
+/// Does the bore's axis go through the triangle, or its rim?
 bool on_axis(const Bore& bore, const TriangleMesh& mesh, const Triangle& t) {
   std::array<Vec3, 3> p;
   for (std::size_t i = 0; i < 3; ++i) p[i] = bore(mesh.vertices[t[i]]);
-  int sides = 0;
-  for (std::size_t i = 0; i < 3; ++i) sides += cross(p[i].head<2>(), p[(i + 1) % 3].head<2>()) > 0 ? 1 : -1;
-  return std::abs(sides) == 3;
+  int left = 0, right = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double side = cross(p[i].head<2>(), p[(i + 1) % 3].head<2>());
+    left += side >= 0;
+    right += side <= 0;
+  }
+  return left == 3 || right == 3;
 }
 
 /// Of the triangles on the bore's axis at or behind `depth` the first, and how far along the bore it lies.
@@ -179,39 +184,74 @@ TriangleMesh about(const TriangleMesh& mesh, const Bore& bore, double radius) {
 
 }  // namespace
 
-std::vector<Drain> drains_of(const TriangleMesh& outer, const TriangleMesh& cavity, double radius,
-                             const Vec3& up) {
-  std::vector<Drain> drains;
-  if (cavity.triangles.empty()) return drains;
-  const SurfaceDistance distance(outer);
-  const double limit = bounding_box(outer).extent().norm();
-  for (const Shell& shell : shells(cavity)) {
-    if (shell.volume > 0) continue;  // an island
+namespace {
+
+/// Where to drill into a void, if it can be drilled at one of the places looked at.
+class Places {
+ public:
+  Places(const TriangleMesh& outer, const TriangleMesh& cavity, double radius, const Vec3& up)
+      : outer_(outer), cavity_(cavity), radius_(radius), up_(up), distance_(outer) {}
+
+  std::optional<Drain> place(const Shell& shell) const {
+    std::vector<std::uint32_t> corners = corners_of_shell(shell);
+    double least = bounding_box(outer_).extent().norm();
+    for (const std::uint32_t v : corners) {
+      stop_here();
+      least = std::min(least, distance_(cavity_.vertices[v], least));
+    }
+    std::ranges::sort(corners, {}, [&](std::uint32_t v) { return up_.dot(cavity_.vertices[v]); });
+    // Evenly from the lowest to the highest: neighbours would do no better than each other.
+    constexpr std::size_t most_looked_at = 500, most_drilled = 50;
+    const std::size_t step = std::max<std::size_t>(1, corners.size() / most_looked_at);
+    std::size_t drilled_at = 0;
+    for (std::size_t i = 0; i < corners.size() && drilled_at < most_drilled; i += step) {
+      stop_here();
+      const Vec3& p = cavity_.vertices[corners[i]];
+      const auto nearest = distance_.nearest(p, 1.1 * least);
+      if (!nearest) continue;
+      ++drilled_at;
+      const auto [a, b, c] = corners_of(outer_, outer_.triangles[*nearest]);
+      const Vec3 q = nearest_on_triangle(p, a, b, c);
+      if (const Drain drain{q, (p - q).normalized()}; can_be_drilled(drain)) return drain;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] std::vector<std::uint32_t> corners_of_shell(const Shell& shell) const {
     std::vector<std::uint32_t> corners;
     for (const std::uint32_t t : shell.triangles)
-      corners.insert(corners.end(), cavity.triangles[t].begin(), cavity.triangles[t].end());
+      corners.insert(corners.end(), cavity_.triangles[t].begin(), cavity_.triangles[t].end());
     std::ranges::sort(corners);
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    double least = limit;
-    for (const std::uint32_t v : corners) least = std::min(least, distance(cavity.vertices[v], least));
-    std::ranges::sort(corners, {}, [&](std::uint32_t v) { return up.dot(cavity.vertices[v]); });
-    const std::size_t step = std::max<std::size_t>(1, corners.size() / 500);  // places to try
-    for (std::size_t i = 0; i < corners.size(); i += step) {
-      const Vec3& p = cavity.vertices[corners[i]];
-      const auto nearest = distance.nearest(p, 1.1 * least);
-      if (!nearest) continue;
-      const auto [a, b, c] = corners_of(outer, outer.triangles[*nearest]);
-      const Vec3 q = nearest_on_triangle(p, a, b, c);
-      const Drain drain{q, (p - q).normalized()};
-      try {
-        const Bore bore(drain);
-        (void)drained(about(outer, bore, radius), about(cavity, bore, radius), {drain}, radius);
-      } catch (const InputError&) {
-        continue;
-      }
-      drains.push_back(drain);
-      break;
-    }
+    return corners;
+  }
+  [[nodiscard]] bool can_be_drilled(const Drain& drain) const try {
+    const Bore bore(drain);
+    (void)drained(about(outer_, bore, radius_), about(cavity_, bore, radius_), {drain}, radius_);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+
+  const TriangleMesh &outer_, &cavity_;
+  double radius_;
+  const Vec3& up_;
+  SurfaceDistance distance_;
+};
+
+}  // namespace
+
+std::vector<Drain> drains_of(const TriangleMesh& outer, const TriangleMesh& cavity, double radius,
+                             const Vec3& up, const Control& control) {
+  std::vector<Drain> drains;
+  if (cavity.triangles.empty()) return drains;
+  std::vector<Shell> voids = shells(cavity);
+  std::erase_if(voids, [](const Shell& shell) { return shell.volume > 0; });  // islands
+  const Places places(outer, cavity, radius, up);
+  for (std::size_t i = 0; i < voids.size(); ++i) {
+    control.tell(fmt::format("where to drain void {} of {}", i + 1, voids.size()));
+    if (const auto drain = places.place(voids[i])) drains.push_back(*drain);
   }
   return drains;
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "control.hpp"
 #include "fabricate/parts.hpp"
 
 namespace kreisel::core {
@@ -15,13 +16,14 @@ struct Drain {
 
 /// A place for each void: of the points where it is within a tenth of the wall of as near to the outside as
 /// it comes, and both surfaces are even over the hole's width, the lowest along `up`; straight out from
-/// there. Those without such a place are left out.
+/// there. Those without such a place are left out. No more than 50 places are drilled for a void, evenly from
+/// its lowest point to its highest.
 ///
 /// @param outer   of the part; model coordinates, mm
 /// @param cavity  of the part, normals into the voids
 /// @param radius  of the holes, mm
 [[nodiscard]] std::vector<Drain> drains_of(const TriangleMesh& outer, const TriangleMesh& cavity,
-                                           double radius, const Vec3& up);
+                                           double radius, const Vec3& up, const Control& control = {});
 
 /// The part with holes through its wall: outer surface, voids and the holes' walls as one surface. A hole is
 /// as round as triangles of a third of its radius make it, and its rims lie on both surfaces.

@@ -5,6 +5,7 @@
 #include "body/mesh_moments.hpp"
 #include "fabricate/void_surface.hpp"
 #include "geometry/moved.hpp"
+#include "geometry/single_precision.hpp"
 #include "mesh/solid/separate_edges.hpp"
 
 namespace kreisel::core {
@@ -67,6 +68,7 @@ std::vector<MaterialPart> parts_of(const Body& body, const Inside& inside) {
     parts.push_back({"interior", body.interior_density, {model(inside.fill)}});
   if (body.void_density > 0 && !inside.voids.triangles.empty())
     parts.push_back({"filling", body.void_density, {turned_over(model(inside.voids))}});
+  for (MaterialPart& part : parts) part.place = place_of(bounding_box(body.mesh));
   return parts;
 }
 

@@ -25,6 +25,7 @@ struct MaterialPart {
   double density = 1;                  ///< g/cm^3
   std::vector<TriangleMesh> surfaces;  ///< its outer surface, and its cavities as surfaces of their own
   Vec3 down = Vec3::Zero();            ///< out of the cut that it can lie on; zero: it has none
+  Vec3 place = Vec3::Zero();           ///< near it, where it is far from the origin (place_of())
   /// From model coordinates to where it is written (lay_flat.hpp).
   Eigen::Affine3d laid = Eigen::Affine3d::Identity();
 };

@@ -1,7 +1,9 @@
 #include "fabricate/thickness.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "geometry/triangle.hpp"
@@ -10,6 +12,19 @@
 #include "parallel.hpp"
 
 namespace kreisel::core {
+
+namespace {
+
+/// How far along a ray of length 1 the plane of a triangle lies, in double; nothing for a ray within it.
+std::optional<double> distance_to_plane(const TriangleMesh& mesh, const Triangle& t, const Vec3& from,
+                                        const Vec3& direction) {
+  const Vec3 normal = normal_of(mesh, t);
+  const double along = normal.dot(direction);
+  if (!(std::abs(along) > 1e-6 * normal.norm())) return std::nullopt;
+  return normal.dot(mesh.vertices[t[0]] - from) / along;
+}
+
+}  // namespace
 
 ThinPlace thinnest_material(const TriangleMesh& outer, const TriangleMesh& cavity) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -25,8 +40,14 @@ ThinPlace thinnest_material(const TriangleMesh& outer, const TriangleMesh& cavit
       const Vec3 into_void = normal_of(cavity, cavity.triangles[i]);
       if (!(into_void.norm() > 0)) continue;
       const Vec3 from = middle_of(cavity, cavity.triangles[i]);
-      const auto hit = rays.first(from, -into_void.normalized(), off, size);
-      if (hit && hit->distance < thinnest[c].thickness) thinnest[c] = {hit->distance, from};
+      const Vec3 direction = -into_void.normalized();
+      const auto hit = rays.first(from, direction, off, size);
+      if (!hit) continue;
+      // Single precision finds the triangle; how far it is, is asked of the triangle itself.
+      const double distance = std::clamp(
+          distance_to_plane(part, part.triangles[hit->triangle], from, direction).value_or(hit->distance),
+          hit->distance - off, hit->distance + off);
+      if (distance < thinnest[c].thickness) thinnest[c] = {distance, from};
     }
   });
   return *std::ranges::min_element(thinnest, {}, &ThinPlace::thickness);

@@ -13,8 +13,8 @@ struct ThinPlace {
 
 /// The least way from a cavity's surface straight through the material to the next surface, another one's or
 /// the outer; from the middle of each of its triangles. Walls are that thick at least (wall.hpp says
-/// exactly), webs between voids are found by this alone. Right to 1e-6 of the coordinates; in the unit of the
-/// meshes.
+/// exactly), webs between voids are found by this alone. Rays in single precision find the triangle, double
+/// precision says how far it is; in the unit of the meshes.
 [[nodiscard]] ThinPlace thinnest_material(const TriangleMesh& outer, const TriangleMesh& cavity);
 
 }  // namespace kreisel::core

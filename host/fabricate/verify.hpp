@@ -19,6 +19,8 @@ struct WrittenMaterial {
   std::size_t triangles = 0;   ///< as read again
   double grams = 0;            ///< of the file's own volume; 0 where it is no solid
   Eigen::Affine3d laid = Eigen::Affine3d::Identity();  ///< from model coordinates to the file's
+  /// What was added to them because single precision would not hold the part where the model is; in `laid`.
+  Vec3 moved = Vec3::Zero();
 };
 
 /// What the written files hold.
@@ -31,9 +33,17 @@ struct WrittenPart {
 /// A file each: part or shell as `path` says, the others as NAME-interior.stl, NAME-filling.stl or
 /// NAME-upper.stl beside it, where they are laid. 3MF takes them all in one file, as objects with their
 /// names.
+///
+/// A part far from the origin stays there where the format's numbers hold it (Precision): where neighbouring
+/// ones are no more than 1e-5 of its length and 0.4 um apart, a thousandth of what printers can do, and none
+/// of its triangles run through each other once rounded. Else all parts are moved to about the origin.
 /// @throws InputError  see write_mesh()
 [[nodiscard]] std::vector<WrittenMaterial> write_parts(const std::filesystem::path& path,
                                                        const std::vector<MaterialPart>& parts);
+
+/// A surface of the part as the numbers of its file hold it, or those of single precision near the part where
+/// there is no file; model coordinates.
+[[nodiscard]] TriangleMesh as_written(const WrittenMaterial& material, TriangleMesh mesh, const Vec3& place);
 
 /// Where a part of that name goes. @throws InputError  no mesh format
 [[nodiscard]] std::filesystem::path file_of_part(const std::filesystem::path& path, std::string_view name);
@@ -52,9 +62,10 @@ class WrittenReader {
   std::size_t next_ = 0;
 };
 
-/// Reads the files again, checks that each is a watertight, oriented solid, integrates its moments on the
-/// host in double (not by the kernels that made it), adds them up by their densities and asks the problem for
-/// its verdict. A mesh that fails the checks gives a verdict that is not ok and says why.
+/// Reads the files again, checks that each is a watertight, oriented solid that does not run through itself,
+/// integrates its moments on the host in double (not by the kernels that made it), adds them up by their
+/// densities and asks the problem for its verdict. A mesh that fails the checks gives a verdict that is not
+/// ok and says why.
 [[nodiscard]] WrittenPart verify_written(std::vector<WrittenMaterial> materials, const Body& body,
                                          const Problem& problem);
 

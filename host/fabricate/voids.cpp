@@ -96,6 +96,11 @@ std::vector<Cut> cuts_of(const TriangleMesh& mesh, const std::vector<Shell>& voi
   return cuts;
 }
 
+/// Four digits, and hundredths of a millimetre however far from the origin.
+std::string place_text(double mm) {
+  return std::abs(mm) < 1e3 ? fmt::format("{:.4g}", mm) : fmt::format("{:.2f}", mm);
+}
+
 std::string list_of(const std::vector<double>& volumes) {
   constexpr std::size_t most = 3;
   std::vector<std::string> words;
@@ -160,8 +165,8 @@ std::string Voids::text() const {
   const auto shown = [](double component) { return std::round(1e3 * component) / 1e3 + 0.0; };  // no -0
   std::vector<std::string> planes;
   for (const Cut& cut : cuts)
-    planes.push_back(fmt::format("{},{},{} . x = {:.4g}", shown(cut.normal[0]), shown(cut.normal[1]),
-                                 shown(cut.normal[2]), cut.offset));
+    planes.push_back(fmt::format("{},{},{} . x = {}", shown(cut.normal[0]), shown(cut.normal[1]),
+                                 shown(cut.normal[2]), place_text(cut.offset)));
   return fmt::format("{} void{} of {} mm^3, opened by {} planar cut{}: {}", pieces.size(),
                      pieces.size() == 1 ? "" : "s", list_of(pieces), cuts.size(), cuts.size() == 1 ? "" : "s",
                      fmt::join(planes, "; "));

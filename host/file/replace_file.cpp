@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
@@ -13,6 +14,8 @@
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "error.hpp"
 
@@ -21,13 +24,44 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The name of a temporary file where a signal handler finds it: no memory is taken or given back.
+struct Slot {
+  std::atomic<bool> taken = false, ready = false;
+  std::array<char, 4096> name;
+};
+
+std::array<Slot, 16>& slots() {
+  static std::array<Slot, 16> all;
+  return all;
+}
+
 /// Removes the file in the end; once it has been renamed there is nothing left to remove.
-struct Temporary {
-  fs::path path;
+class Temporary {
+ public:
+  explicit Temporary(fs::path at) : path(std::move(at)) {
+    if (path.native().size() >= std::tuple_size_v<decltype(Slot::name)>) return;
+    for (Slot& slot : slots())
+      if (!slot.taken.exchange(true)) {
+        std::memcpy(slot.name.data(), path.c_str(), path.native().size() + 1);
+        slot.ready = true;
+        slot_ = &slot;
+        return;
+      }
+  }
   ~Temporary() {
     std::error_code ignored;
     fs::remove(path, ignored);
+    if (!slot_) return;
+    slot_->ready = false;
+    slot_->taken = false;
   }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+
+  const fs::path path;
+
+ private:
+  Slot* slot_ = nullptr;  ///< none where there are too many at a time
 };
 
 /// What a run that was killed has left: temporary names of this file whose process is gone. Those of an hour
@@ -147,6 +181,11 @@ void replace_file(const fs::path& name, const std::function<void(const fs::path&
   if (fs::is_regular_file(earlier)) fs::permissions(temporary.path, earlier.permissions(), error);
   fs::rename(temporary.path, path, error);
   if (error) throw InputError(fmt::format("{}: {}, expected a file name", path.string(), error.message()));
+}
+
+void remove_temporary_files() noexcept {
+  for (Slot& slot : slots())
+    if (slot.ready) (void)::unlink(slot.name.data());
 }
 
 }  // namespace kreisel::core

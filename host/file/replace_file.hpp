@@ -23,4 +23,8 @@ namespace kreisel::core {
 void replace_file(const std::filesystem::path& path,
                   const std::function<void(const std::filesystem::path& temporary)>& write);
 
+/// Removes the temporary files that are being filled, for a program that ends at once. May be called by a
+/// signal handler.
+void remove_temporary_files() noexcept;
+
 }  // namespace kreisel::core

@@ -4,6 +4,7 @@
 
 #include "body/mesh_moments.hpp"
 #include "error.hpp"
+#include "geometry/moved.hpp"
 #include "library/state.hpp"
 #include "mesh/io/format.hpp"
 #include "mesh/io/read.hpp"
@@ -75,7 +76,12 @@ Body::Body(Mesh mesh)
 
 const Mesh& Body::mesh() const { return state_->mesh; }
 
-Moments Body::moments() const { return core::reference::mesh_moments(state_->mesh).value; }
+Moments Body::moments() const {
+  // About the middle first: about an origin far away their digits would be those of the distance.
+  const Vec3 middle = core::bounding_box(state_->mesh).centre();
+  const core::TriangleMesh near = core::moved(state_->mesh, Eigen::Translation3d(-middle));
+  return core::transformed(core::reference::mesh_moments(near).value, Eigen::Matrix3d::Identity(), middle);
+}
 
 const std::vector<std::string>& Body::repairs() const { return state_->repairs; }
 

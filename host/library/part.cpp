@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "fabricate/lay_flat.hpp"
+#include "geometry/single_precision.hpp"
 #include "library/config_of.hpp"
 #include "library/state.hpp"
 #include "mesh/io/encode.hpp"
@@ -8,6 +9,18 @@
 
 namespace kreisel {
 namespace {
+
+/// From model coordinates to those of a file: a part far from the origin may have been moved (write_parts()).
+Eigen::Affine3d laid_of(const std::vector<core::TriangleMesh>& objects, const core::Body& body) {
+  const core::Box model = core::bounding_box(body.mesh);
+  core::Box file;
+  for (const core::TriangleMesh& mesh : objects)
+    for (const Vec3& v : mesh.vertices) file.add(v);
+  const Vec3 place = core::place_of(model), apart = file.centre() - model.centre();
+  Eigen::Affine3d laid = Eigen::Affine3d::Identity();
+  if ((apart + place).norm() < apart.norm()) laid.translation() = -place;
+  return laid;
+}
 
 /// Which material a file holds goes by its name, as file_of_part() gives it.
 core::WrittenMaterial material_of(const std::filesystem::path& file, const core::Body& body) {
@@ -53,11 +66,14 @@ Verdict verify(const std::vector<std::filesystem::path>& files, const Body& body
   const auto problem = asked.make(core::settings_of(config, "problem"), solid);
   std::vector<core::WrittenMaterial> materials;
   for (const std::filesystem::path& file : files) {
-    const std::size_t objects = core::read_objects(file).size();
+    const std::vector<core::TriangleMesh> meshes = core::read_objects(file);
+    const std::size_t objects = meshes.size();
     if (objects > 1 && !(solid.one_material() && solid.void_density == 0))
       throw InputError(fmt::format("{}: {} objects of several materials; expected a file each, as STL",
                                    file.string(), objects));
-    materials.insert(materials.end(), objects, material_of(file, solid));
+    core::WrittenMaterial material = material_of(file, solid);
+    material.laid = laid_of(meshes, solid);
+    materials.insert(materials.end(), objects, material);
   }
   return core::verify_written(std::move(materials), solid, *problem).verdict;
 }

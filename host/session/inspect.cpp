@@ -6,6 +6,7 @@
 #include "error.hpp"
 #include "mesh/solid/check.hpp"
 #include "problem/problem.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -22,23 +23,20 @@ std::map<std::string, std::size_t> checks_of(const MeshReport& r) {
           {"pinched_vertices", r.pinched_vertex_count}};
 }
 
-/// What each problem says of the solid as it is.
-std::map<std::string, Verdict> verdicts_of(const Body& body, const Body& standing) {
-  std::map<std::string, Verdict> all;
+/// What each problem says of the solid as it is, of those that want it upright, or the others.
+void add_verdicts(std::map<std::string, Verdict>& all, const Body& body, bool upright) {
   for (const ProblemEntry& entry : problems()) {
-    if (!entry.for_solid) continue;
-    const Body& posed = entry.upright ? standing : body;
+    if (!entry.for_solid || entry.upright != upright) continue;
     Verdict& verdict = all[entry.name];
     try {
-      verdict = entry.make(*entry.for_solid, posed)->verify(posed.solid, posed.frame.length);
+      verdict = entry.make(*entry.for_solid, body)->verify(body.solid, body.frame.length);
     } catch (const InputError& error) {  // no base to stand on; heavier than water
       verdict.text = error.what();
     }
   }
-  return all;
 }
 
-kreisel::SolidReport solid_of(const Body& body, const Body& standing) {
+kreisel::SolidReport solid_of(const Body& body) {
   kreisel::SolidReport s;
   const double length = body.frame.length;
   s.extent = bounding_box(body.mesh).extent();
@@ -52,25 +50,29 @@ kreisel::SolidReport solid_of(const Body& body, const Body& standing) {
   const PrincipalAxes principal(inertia);
   s.principal = principal.moments;
   s.axes = principal.axes;
-  s.verdicts = verdicts_of(body, standing);
   return s;
 }
 
 }  // namespace
 
-Inspection inspect(Source source, const BodySpec& spec) {
+Inspection inspect(Source source, const BodySpec& spec, const Control& control) {
+  const StopScope scope(control.stop);
   Inspection seen;
   seen.format = source.format;
   seen.vertices = source.mesh.vertices.size();
   seen.triangles = source.mesh.triangles.size();
+  control.tell("check");
   seen.checks = checks_of(core::inspect(source.mesh));
+  control.tell("repair");
   Surface surface = surface_of(source);
   seen.repairs = surface.repairs().lines;
+  control.tell("look for crossings");
   seen.checks["self_intersections"] = surface.crossings().size();
   if (!surface.crossings().empty()) {
     const auto& [a, b] = surface.crossings().front();
     seen.first_crossing = std::array<std::size_t, 2>{a, b};
   }
+  control.tell("look for shells");
   for (std::size_t i = 0; i < surface.shells().size(); ++i) {
     const Shell& shell = surface.shells()[i];
     seen.shells.push_back({shell.triangles.size(), shell.closed, shell.euler, shell.genus, shell.volume,
@@ -78,11 +80,16 @@ Inspection inspect(Source source, const BodySpec& spec) {
   }
   try {
     source = as_solid(std::move(source), surface, spec.model);
+    control.tell("weigh");
     BodySpec upright = spec;
     upright.stands_upright = true;
-    const Body body = make_body(spec, source);
+    Body body = make_body(spec, std::move(source));
     seen.repairs = body.repairs;
-    seen.solid = solid_of(body, reposed(body, upright));
+    kreisel::SolidReport solid = solid_of(body);
+    add_verdicts(solid.verdicts, body, false);
+    body = reposed(std::move(body), upright);  // not beside each other: a large mesh fills the memory
+    add_verdicts(solid.verdicts, body, true);
+    seen.solid = std::move(solid);
   } catch (const InputError& error) {
     seen.error = error.what();
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "body/source.hpp"
+#include "control.hpp"
 #include "kreisel/inspection.hpp"
 
 namespace kreisel::core {
@@ -10,6 +11,7 @@ using kreisel::Inspection;
 
 /// Checks, repairs, shells; as a solid its mass properties, and what it does already. On the host.
 /// @param source  neither checked nor mended  @param spec  how it lies, and its density
-[[nodiscard]] Inspection inspect(Source source, const BodySpec& spec);
+/// @throws Interrupted
+[[nodiscard]] Inspection inspect(Source source, const BodySpec& spec, const Control& control = {});
 
 }  // namespace kreisel::core

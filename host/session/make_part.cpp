@@ -1,6 +1,7 @@
 #include "session/make_part.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "fabricate/verify.hpp"
 #include "formulation/meet_constraints.hpp"
 #include "memory.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -35,6 +37,14 @@ std::string warning_of(const std::vector<double>& islands) {
                      std::accumulate(islands.begin(), islands.end(), 0.0), one ? "lies" : "lie");
 }
 
+std::string told_of_move(const Vec3& moved) {
+  return moved.isZero(0) ? ""
+                         : fmt::format(
+                               "; the file is moved by {} mm, for so far from the origin the numbers of its "
+                               "format are too coarse",
+                               fmt::join(moved, ","));
+}
+
 Verified write_and_verify(const RunResult& r, const std::vector<MaterialPart>& parts, const Body& body,
                           const Problem& problem, const std::string& file) {
   const WrittenPart part = file.empty() ? verify_made(parts, body, problem)
@@ -44,8 +54,10 @@ Verified write_and_verify(const RunResult& r, const std::vector<MaterialPart>& p
   verified.verdict = part.verdict;
   if (!r.voids.islands.empty() && body.void_density == 0)
     verified.verdict.text += warning_of(r.voids.islands);
+  if (!part.materials.empty()) verified.verdict.text += told_of_move(part.materials.front().moved);
   verified.file = file;
-  verified.moments = part.moments;
+  verified.moments =
+      part.moments[S1] > 0 ? part.moments : r.rounding.moments;  // where nothing could be read again
   verified.materials = part.materials;
   for (const WrittenMaterial& material : verified.materials) verified.triangles += material.triangles;
   verified.rounding_mismatch = (part.moments - r.rounding.moments).cwiseAbs().maxCoeff();
@@ -104,7 +116,11 @@ Made mesh_inside(SolvedRun& run, bool fit, const PartOptions& options) {
     run.stop_if_asked();
     const Task task = run.task_with(seen);
     seen.fixed += whole - seen.total(task.formulation.moments(x));
-    const Outcome again = solve(run.solver(), task, run.options());
+    const Outcome again = [&] {
+      const StopScope left_to_the_solver({});  // nothing may be thrown through a library's
+      return solve(run.solver(), task, run.options());
+    }();
+    run.stop_if_asked();
     if (again.termination != Termination::optimal) return made;
     x = again.x;
   }
@@ -113,6 +129,7 @@ Made mesh_inside(SolvedRun& run, bool fit, const PartOptions& options) {
 }  // namespace
 
 PartMeshes make_part(SolvedRun& run, const std::string& mesh_file, const PartOptions& options) {
+  const StopScope scope(run.stop());
   RunResult& r = run.result;
   const Body& body = run.body();
   // What cannot be met at all need not be fitted.
@@ -121,6 +138,12 @@ PartMeshes make_part(SolvedRun& run, const std::string& mesh_file, const PartOpt
   PartMeshes part{body.mesh, to_model(body.frame, made.inside.voids), made.parts};
   r.voids = find_voids({part.outer, part.cavity}, cut_directions(body));
   r.verified = write_and_verify(r, made.parts, body, run.problem(), mesh_file);
+  if (!r.verified.materials.empty()) {  // what is measured of the part is what its file holds
+    const WrittenMaterial& material = r.verified.materials.front();
+    const Vec3 place = made.parts.front().place;
+    part.outer = as_written(material, std::move(part.outer), place);
+    part.cavity = as_written(material, std::move(part.cavity), place);
+  }
   r.verified.void_triangles = made.inside.voids.triangles.size();
   r.whole_seconds = run.seconds();
   r.peak_bytes = peak_memory();

@@ -12,11 +12,12 @@ double RunResult::gap() const {
   return (f - bound) / std::abs(f);
 }
 
-Moments RunResult::model_moments(const Moments& body) const {
+Moments RunResult::model_moments(const Moments& body) const { return model_moments(body, frame); }
+
+Moments RunResult::model_moments(const Moments& body, const Frame& about) const {
   // Body units -> mm and grams, then x = R^T X L + origin.
-  const Moments turned = transformed(scaled(body, frame.length, mass_unit_grams / std::pow(frame.length, 3)),
-                                     frame.rotation.transpose(), frame.origin);
-  return turned;
+  return transformed(scaled(body, about.length, mass_unit_grams / std::pow(about.length, 3)),
+                     about.rotation.transpose(), about.origin);
 }
 
 }  // namespace kreisel::core

@@ -89,6 +89,8 @@ struct RunResult {
 
   /// Body-frame moments in model units (g, mm) about the model's own origin and axes.
   [[nodiscard]] Moments model_moments(const Moments& body) const;
+  /// The same in another frame of the same length.
+  [[nodiscard]] Moments model_moments(const Moments& body, const Frame& about) const;
 };
 
 }  // namespace kreisel::core

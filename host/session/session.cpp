@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "problem/turned.hpp"
+#include "stop.hpp"
 #include "stopwatch.hpp"
 
 namespace kreisel::core {
@@ -164,6 +165,7 @@ std::shared_ptr<Formulation> Session::formulation_of(const Asked& question, cons
 
 Stages Session::stages(const Asked& question, const Control& control, Along rays) {
   made_.clear();
+  const StopScope scope(control.stop);
   // What needs no work is checked first, so that a typing error costs no time.
   const ProblemEntry& asked = find_problem(question.problem);
   (void)find_formulation(question.formulation);
@@ -176,6 +178,7 @@ Stages Session::stages(const Asked& question, const Control& control, Along rays
   const BodySpec spec = asked.posed(question.body);
   const std::shared_ptr<const Body> body = body_of(question, spec, stages.device);
   control.stop_if_asked();
+  control.tell("set-up: what can be filled");
   const std::shared_ptr<const Body> pose = stages.pose = pose_of(question, spec, body);
   const std::shared_ptr<const Laid> laid = domain_of(question, pose, rays);
   stages.domain = laid->domain;

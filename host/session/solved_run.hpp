@@ -41,6 +41,7 @@ class SolvedRun {
   [[nodiscard]] bool exact() const { return stages_.domain->exact.has_value(); }
   [[nodiscard]] const SolverEntry& solver() const { return *solver_; }
   [[nodiscard]] const SolverOptions& options() const { return options_; }
+  [[nodiscard]] const std::stop_token& stop() const { return stop_; }
   /// @throws Interrupted  when a stop was asked for
   void stop_if_asked() const {
     if (stop_.stop_requested()) throw Interrupted();

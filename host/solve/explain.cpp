@@ -37,29 +37,49 @@ class Relaxed final : public Problem {
   LinearConstraints constraints_;
 };
 
-/// What each of `rows` is missed by, at the moments where the worst is missed least.
-std::vector<double> least_misses(const SolverEntry& solver, const Task& task, const SolverOptions& options,
-                                 const std::vector<Eigen::Index>& rows) {
+/// How rows are missed at the moments where the worst is missed least.
+struct Misses {
+  std::vector<double> amounts;  ///< body units
+  double mass;                  ///< there
+};
+
+Misses least_misses(const SolverEntry& solver, const Task& task, const SolverOptions& options,
+                    const std::vector<Eigen::Index>& rows) {
   const Relaxed relaxed(task.problem, rows);
   const Outcome best = solver.solve({relaxed, task.formulation, task.mass, task.device, task.stop}, options);
   const LinearConstraints& c = relaxed.constraints();
   const Eigen::VectorXd value = c.matrix * best.moments;
-  std::vector<double> misses;
+  Misses misses{{}, best.moments[S1]};
   for (Eigen::Index r = 0; r < value.size(); ++r)
-    misses.push_back(std::max({0.0, c.lower[r] - value[r], value[r] - c.upper[r]}));
+    misses.amounts.push_back(std::max({0.0, c.lower[r] - value[r], value[r] - c.upper[r]}));
   return misses;
 }
 
 struct Miss {
   std::string name;
-  double amount;  ///< as printed: what reads the same is the same, and stays in the problem's order
+  double
+      amount;  ///< body units, as printed: what reads the same is the same, and stays in the problem's order
+  std::string text;  ///< with its unit
 };
 
 double printed(double amount) { return parse<double>(fmt::format("{:.3g}", amount)).value_or(amount); }
 
+/// Three digits of what a row is missed by, and in what.
+std::string amount_text(double amount, double mass, const Eigen::Ref<const Eigen::RowVectorXd>& row,
+                        const std::optional<BodyUnits>& units) {
+  const auto text = [](double value, const char* unit) { return fmt::format("{:.3g}{}", value, unit); };
+  if (!units) return text(amount, "");
+  const bool first = !row.segment<3>(SX).isZero(0), second = !row.tail<6>().isZero(0);
+  if (first && second) return text(amount, " (body units)");
+  if (second) return text(amount * units->grams * units->millimetres * units->millimetres, " g mm^2");
+  if (first) return text(amount / std::max(mass, 1e-300) * units->millimetres, " mm");
+  return text(amount * units->grams, " g");
+}
+
 }  // namespace
 
-std::string explain_infeasible(const SolverEntry& solver, const Task& task, const SolverOptions& options) {
+std::string explain_infeasible(const SolverEntry& solver, const Task& task, const SolverOptions& options,
+                               const std::optional<BodyUnits>& units) {
   const LinearConstraints& c = task.problem.constraints();
   std::vector<Eigen::Index> all(static_cast<std::size_t>(c.matrix.rows()));
   for (std::size_t r = 0; r < all.size(); ++r) all[r] = static_cast<Eigen::Index>(r);
@@ -68,8 +88,8 @@ std::string explain_infeasible(const SolverEntry& solver, const Task& task, cons
     return fmt::format("{} cannot be met, though the linear constraints alone can", more->asked_by());
   };
   if (all.empty()) return more ? only_nonlinear() : "there are no constraints: the solver gave up";
-  const std::vector<double> together = least_misses(solver, task, options, all);
-  const double worst = std::ranges::max(together);
+  const Misses together = least_misses(solver, task, options, all);
+  const double worst = std::ranges::max(together.amounts);
   // Solvers meet constraints to 1e-9; a miss of a millionth is none that anybody could measure.
   constexpr double none = 1e-6;
   if (worst <= none && more && more->lower().size() > 0 && more->variables() == 0) return only_nonlinear();
@@ -78,23 +98,28 @@ std::string explain_infeasible(const SolverEntry& solver, const Task& task, cons
   std::vector<Miss> alone, shared;
   for (const Eigen::Index r : all) {
     const auto i = static_cast<std::size_t>(r);
-    if (together[i] <= none) continue;
-    shared.push_back({c.names[i], printed(together[i])});
-    const double miss = least_misses(solver, task, options, {r}).front();
-    if (miss > none) alone.push_back({c.names[i], printed(miss)});
+    const auto add = [&](std::vector<Miss>& to, double amount, double mass) {
+      if (amount > none)
+        to.push_back({c.names[i], printed(amount), amount_text(amount, mass, c.matrix.row(r), units)});
+    };
+    if (together.amounts[i] <= none) continue;
+    add(shared, together.amounts[i], together.mass);
+    const Misses by_itself = least_misses(solver, task, options, {r});
+    add(alone, by_itself.amounts.front(), by_itself.mass);
   }
   std::ranges::stable_sort(alone, std::ranges::greater(), &Miss::amount);
   std::ranges::stable_sort(shared, std::ranges::greater(), &Miss::amount);
   std::vector<std::string> words;
-  for (const Miss& m : alone) words.push_back(fmt::format("{} is out of reach by {:.3g}", m.name, m.amount));
-  if (!alone.empty()) return fmt::format("{} (body units)", fmt::join(words, "; "));
-  std::vector<double> amounts;
+  const char* in = units ? "" : " (body units)";
+  for (const Miss& m : alone) words.push_back(fmt::format("{} is out of reach by {}", m.name, m.text));
+  if (!alone.empty()) return fmt::format("{}{}", fmt::join(words, "; "), in);
+  std::vector<std::string> amounts;
   for (const Miss& m : shared) {
     words.push_back(m.name);
-    amounts.push_back(m.amount);
+    amounts.push_back(m.text);
   }
-  return fmt::format("{} cannot be met together: the best compromise misses them by {:.3g} (body units)",
-                     fmt::join(words, ", "), fmt::join(amounts, ", "));
+  return fmt::format("{} cannot be met together: the best compromise misses them by {}{}",
+                     fmt::join(words, ", "), fmt::join(amounts, ", "), in);
 }
 
 }  // namespace kreisel::core

@@ -133,14 +133,15 @@ TEST_F(Bench, AFloatThatIsTooHeavyEndsWithThreeAndSaysWhatIsOutOfReach) {
   EXPECT_NE(a.out.find("does not float upright (too heavy"), std::string::npos) << a.out;
   const auto json = json_of(file("r.json"));
   EXPECT_EQ(json.at("termination"), "infeasible");
-  // All void, the shell alone is left: what it weighs beyond the water, in solid masses.
+  // All void, the shell alone is left: what it weighs beyond the water, in grams.
   double miss = 0;
   const std::string text = json.at("infeasibility");
-  ASSERT_EQ(std::sscanf(text.c_str(), "mass = displaced mass is out of reach by %lf", &miss), 1) << text;
-  const double shell = json.at("moments")[0].get<double>() / json.at("solid_mass_g").get<double>();
-  const double water =
-      json.at("verified").at("displaced_mm3").get<double>() * 1e-3 / json.at("solid_mass_g").get<double>();
-  EXPECT_NEAR(miss, shell - water, 6e-4 * miss + 1e-6) << "three digits are printed";
+  ASSERT_EQ(std::sscanf(text.c_str(), "mass = displaced mass is out of reach by %lf g", &miss), 1) << text;
+  EXPECT_NE(text.find(" g"), std::string::npos) << text;
+  const double shell = json.at("moments")[0].get<double>();
+  const double water = json.at("verified").at("displaced_mm3").get<double>() * 1e-3;
+  const double rounding = 1e-6 * json.at("solid_mass_g").get<double>();
+  EXPECT_NEAR(miss, shell - water, 6e-3 * miss + rounding) << "three digits are printed";
   const std::string shown = bench("show " + file("r.h5")).out;
   EXPECT_NE(shown.find("  infeasible " + text + "\n"), std::string::npos) << shown;
   EXPECT_NE(shown.find("  possible   " + json.at("scope").get<std::string>() + "\n"), std::string::npos)

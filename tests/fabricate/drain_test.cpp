@@ -8,6 +8,7 @@
 #include "body/models/geodesic.hpp"
 #include "error.hpp"
 #include "geometry/moved.hpp"
+#include "mesh/make/refine.hpp"
 #include "mesh/shapes.hpp"
 #include "mesh/solid/check.hpp"
 #include "mesh/solid/components.hpp"
@@ -37,6 +38,31 @@ TEST(Drain, OpensAHollowBallBelow) {
   // wider.
   const double hole = volume(outer) + volume(cavity) - volume(part);
   EXPECT_NEAR(hole, std::numbers::pi * radius * radius * 2, std::numbers::pi * 2 * (4.0 / 9 + 1.0 / 9));
+}
+
+TEST(Drain, OpensABlockOfTwelveTriangles) {
+  const TriangleMesh outer = box_mesh({0, 0, 0}, {40, 30, 20});
+  const TriangleMesh cavity = inverted(box_mesh({2, 2, 2}, {38, 28, 18}));
+  for (const double radius : {0.5, 3.0}) {
+    // The cavity's corners are the only places there are, and a hole there would run along its walls.
+    EXPECT_TRUE(drains_of(outer, cavity, radius, Vec3::UnitZ()).empty());
+    const TriangleMesh part = drained(outer, cavity, {{{20, 15, 0}, Vec3::UnitZ()}}, radius);
+    EXPECT_NO_THROW(require_solid(part, "block"));
+    EXPECT_TRUE(self_intersections(part).empty());
+    EXPECT_LT(part.triangles.size(), 5000u) << "two discs of a few hundred triangles, and what leads to them";
+  }
+}
+
+TEST(Drain, OpensWhereItsAxisRunsThroughEdgesAndCorners) {
+  // A lattice on every face, in step with the halves and quarters of the block's edges.
+  TriangleMesh cavity = box_mesh({4, 4, 4}, {28, 28, 28});
+  split_edges(cavity, [](const Vec3& a, const Vec3& b) { return (b - a).norm() > 3; });
+  const TriangleMesh outer = box_mesh({0, 0, 0}, {32, 32, 32});
+  const std::vector<Drain> drains = drains_of(outer, inverted(cavity), 1, Vec3::UnitZ());
+  ASSERT_EQ(drains.size(), 1u);
+  const TriangleMesh part = drained(outer, inverted(cavity), drains, 1);
+  EXPECT_NO_THROW(require_solid(part, "block"));
+  EXPECT_TRUE(self_intersections(part).empty());
 }
 
 TEST(Drain, IsNotDrilledWhereNothingLiesBehindTheWall) {

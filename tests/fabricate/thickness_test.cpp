@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "geometry/moved.hpp"
 #include "mesh/shapes.hpp"
 
 namespace kreisel::core {
@@ -23,6 +24,19 @@ TEST(ThinnestMaterial, IsTheWebBetweenTwoVoidsWhereThatIsThinnerThanTheWall) {
 TEST(ThinnestMaterial, IsTheWallOfASingleVoid) {
   const TriangleMesh outer = box_mesh(Vec3::Zero(), Vec3::Constant(10));
   EXPECT_NEAR(thinnest_material(outer, inverted(box_mesh({1, 2, 0.6}, {9, 8, 8}))).thickness, 0.6, 1e-5);
+}
+
+TEST(ThinnestMaterial, IsRightFarFromTheOrigin) {
+  for (const double away : {0.0, 2e3, 2e4, 5e8}) {
+    const auto there = [&](TriangleMesh mesh) {
+      return moved(std::move(mesh), Eigen::Translation3d(away, -0.7 * away, 0.1 * away));
+    };
+    const TriangleMesh outer = there(box_mesh(Vec3::Zero(), Vec3::Constant(10)));
+    const double found =
+        thinnest_material(outer, there(inverted(box_mesh({1, 2, 0.625}, {9, 8, 8})))).thickness;
+    // Corners and a ray's start are rounded to 6e-8 of themselves at 5e8.
+    EXPECT_NEAR(found, 0.625, 1e-9 + 4e-16 * away) << away;
+  }
 }
 
 TEST(ThinnestMaterial, IsInfiniteWithoutACavity) {

@@ -17,11 +17,12 @@ const Moments mass_form = Moments::Unit(S1), height_form = Moments::Unit(SZ), x_
 
 class Explain : public testing::TestWithParam<Way> {
  protected:
-  static std::string of(const Problem& problem, const MassModel& mass = {}) {
+  static std::string of(const Problem& problem, const MassModel& mass = {},
+                        const std::optional<BodyUnits>& units = {}) {
     const auto f =
         make_formulation(GetParam().formulation, BoxDomain::columns(), problem.traits(), {}, test_device());
     const Task task{problem, *f, mass, test_device()};
-    return explain_infeasible(default_solver(GetParam().formulation), task, options_of(GetParam()));
+    return explain_infeasible(default_solver(GetParam().formulation), task, options_of(GetParam()), units);
   }
 };
 
@@ -32,6 +33,18 @@ TEST_P(Explain, NamesTheOneConstraintThatIsOutOfReach) {
   rows.add("balance", x_form, 0, 0).add("mass", mass_form, 1.5 * whole, 1.5 * whole);
   rows.add("height", height_form, -RowsProblem::free, 10);
   EXPECT_EQ(of(rows), fmt::format("mass is out of reach by {:.3g} (body units)", 0.5 * whole));
+}
+
+TEST_P(Explain, SaysGramsAndMillimetresWhereABodyUnitIsKnown) {
+  const BodyUnits units{20, 50};
+  RowsProblem heavy;
+  heavy.add("mass", mass_form, whole + 0.11, RowsProblem::free);
+  EXPECT_EQ(of(heavy, {}, units), "mass is out of reach by 5.5 g");
+  // All solid is the highest there is: its first moment misses 0.3, so its centre of mass 0.3 / whole.
+  const double highest = area * ((bottom + 1) * (bottom + 1) - bottom * bottom) / 2;
+  RowsProblem high;
+  high.add("height", height_form, highest + 0.3, RowsProblem::free);
+  EXPECT_EQ(of(high, {}, units), fmt::format("height is out of reach by {:.3g} mm", 20 * 0.3 / whole));
 }
 
 TEST_P(Explain, NamesEachOfSeveralThatAreOutOfReach) {

@@ -7,8 +7,10 @@
 
 #include "apps/bench/commands.hpp"
 #include "apps/shared/outputs.hpp"
+#include "apps/shared/step_line.hpp"
 #include "error.hpp"
 #include "file/write_text.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core::bench {
 namespace {
@@ -17,6 +19,11 @@ using nlohmann::json;
 
 std::string text(const Vec3& v, const char* between = ", ") {
   return fmt::format("{:.6g}{}{:.6g}{}{:.6g}", v[0], between, v[1], between, v[2]);
+}
+
+/// Of a place: six digits, and thousandths of a millimetre however far from the origin.
+std::string place_text(const Vec3& v) {
+  return v.cwiseAbs().maxCoeff() < 1e3 ? text(v) : fmt::format("{:.3f}, {:.3f}, {:.3f}", v[0], v[1], v[2]);
 }
 
 void print_checks(const Inspection& seen) {
@@ -52,7 +59,7 @@ void print_solid(const SolidReport& s, double density) {
   fmt::print("as a solid of {:.4g} g/cm^3\n", density);
   fmt::print("  extent     {} mm\n", text(s.extent, " x "));
   fmt::print("  volume     {:.6g} mm^3, mass {:.6g} g\n", s.volume, s.mass);
-  fmt::print("  centre     {} mm\n", text(s.centre));
+  fmt::print("  centre     {} mm\n", place_text(s.centre));
   for (int k = 0; k < 3; ++k)
     fmt::print("  principal  {:.6g} g mm^2 about {}\n", s.principal[k], text(s.axes.col(k)));
   for (const auto& [name, verdict] : s.verdicts)
@@ -109,7 +116,13 @@ json to_json(const Inspection& seen) {
 int inspect_model(const InspectOptions& options) {
   const BodySpec& spec = options.config.body;
   require_writable(options.json_file, "--json");
-  const Inspection seen = inspect(load_source(spec), spec);
+  const Inspection seen = [&] {
+    const apps::StepLine line;
+    const Control control = line.control();
+    const StopScope scope(control.stop);
+    control.tell("read");
+    return inspect(load_source(spec), spec, control);
+  }();
   json summary = to_json(seen);
   summary["model"] = spec.model;
   // Names of files may be any bytes, and JSON is UTF-8.

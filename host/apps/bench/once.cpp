@@ -6,6 +6,7 @@
 #include "apps/bench/commands.hpp"
 #include "apps/shared/outputs.hpp"
 #include "apps/shared/step_line.hpp"
+#include "fabricate/wall.hpp"
 #include "fabricate/write_halves.hpp"
 #include "mesh/io/format.hpp"
 #include "record/record.hpp"
@@ -109,6 +110,14 @@ void print_result(const RunResult& r, const TriangleMesh& outer) {
   print_files(r.verified);
 }
 
+/// Columns keep up to half a cell less than is asked for, the exact domain nothing.
+void print_wall(const RunOutput& output) {
+  const double wall = least_wall(output.outer, output.cavity);
+  const RunResult& r = output.result;
+  if (std::isfinite(wall))
+    fmt::print("  wall       {:.4f} mm at the thinnest, asked for {:.4f}\n", wall, r.wall * r.length_mm);
+}
+
 RunOutput run_showing_steps(const OnceOptions& options) {
   const StepLine line;
   return run(options.config, options.mesh_file, line.control());
@@ -134,6 +143,7 @@ int run_once(const OnceOptions& options) {
   } else {
     if (!options.json_file.empty()) write_text(options.json_file, json);
     print_result(result, output.outer);
+    print_wall(output);
     for (const std::filesystem::path& file : halves) fmt::print("  part       {}\n", file.string());
   }
   const bool cut_short = result.samples.size() < static_cast<std::size_t>(options.config.repeat);

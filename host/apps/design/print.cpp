@@ -117,6 +117,11 @@ void print_design(const Design& d) {
   fmt::print("  voids      {}\n", r.voids.text());
   for (const Drain& drain : d.drains)
     fmt::print("  drain      from {} mm along {}\n", text(drain.from, 2), text(drain.along, 3));
+  if (d.drain_radius > 0 && d.drains.size() < r.voids.pieces.size())
+    fmt::print(
+        "  drain      {} of {} voids have none: no wall that is even over a hole of {:.3g} mm radius; try a "
+        "smaller --drain, or --cut auto\n",
+        r.voids.pieces.size() - d.drains.size(), r.voids.pieces.size(), d.drain_radius);
   for (const auto& file : d.files) fmt::print("  written    {}\n", file.string());
   for (const WrittenMould& mould : d.moulds) print_mould(mould);
   fmt::print("  took       {:.1f} s, {:.2g} GiB; {} triangles, {} of them around voids\n", r.whole_seconds,

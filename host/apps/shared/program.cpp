@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/time.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -16,6 +18,7 @@
 #include "apps/shared/outputs.hpp"
 #include "control.hpp"
 #include "error.hpp"
+#include "file/replace_file.hpp"
 #include "memory.hpp"
 #include "nearest.hpp"
 #include "run/run.hpp"
@@ -30,10 +33,22 @@ std::stop_source& interruptions() {
   return source;
 }
 
+/// What is still at work then will not end by itself: a library's loop asks nobody.
+extern "C" void on_alarm(int) {
+  remove_temporary_files();
+  constexpr std::string_view what = ": interrupted, what was under way is not written\n";
+  for (const std::string_view text : {std::string_view(program_name), what})
+    if (::write(STDERR_FILENO, text.data(), text.size()) < 0) break;
+  ::_exit(was_interrupted);
+}
+
 /// Nobody registers a callback with this source, so that to ask is no more than an atomic operation.
 extern "C" void on_signal(int number) {
+  constexpr itimerval patience = {{0, 0}, {0, 850'000}};  // with what it takes to end: within a second
   interruptions().request_stop();
   std::signal(number, SIG_DFL);
+  std::signal(SIGALRM, on_alarm);
+  (void)::setitimer(ITIMER_REAL, &patience, nullptr);
 }
 
 /// Prints the one line of an error. @return  the code

@@ -10,7 +10,8 @@ namespace kreisel::core::apps {
 /// One line for what CLI11 refuses: of an unknown option or command its name and the nearest that there is.
 [[nodiscard]] std::string explained(const CLI::App& app, const CLI::ParseError& error);
 
-/// Asked for by the first SIGINT or SIGTERM since run_program(); a second one ends the program at once.
+/// Asked for by the first SIGINT or SIGTERM since run_program(); a second one ends the program at once, as
+/// does a second's wait, then without the temporary files.
 [[nodiscard]] std::stop_token interruption();
 
 /// Ends the process with what `dispatch` returns, or with one line and the code of what it throws.

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "error.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -62,9 +63,14 @@ std::string encode_obj(const std::vector<TriangleMesh>& parts, const std::string
   const TriangleMesh mesh = finite(parts, name);
   std::string text = "# kreisel, units mm\n";
   const auto out = std::back_inserter(text);
-  for (const Vec3& v : mesh.vertices) fmt::format_to(out, "v {} {} {}\n", v.x(), v.y(), v.z());
-  for (const auto& [a, b, c] : mesh.triangles)
+  for (const Vec3& v : mesh.vertices) {
+    stop_here();
+    fmt::format_to(out, "v {} {} {}\n", v.x(), v.y(), v.z());
+  }
+  for (const auto& [a, b, c] : mesh.triangles) {
+    stop_here();
     fmt::format_to(out, "f {} {} {}\n", std::uint64_t{a} + 1, std::uint64_t{b} + 1, std::uint64_t{c} + 1);
+  }
   return text;
 }
 
@@ -73,8 +79,14 @@ std::string encode_off(const std::vector<TriangleMesh>& parts, const std::string
   std::string text =
       fmt::format("OFF\n# kreisel, units mm\n{} {} 0\n", mesh.vertices.size(), mesh.triangles.size());
   const auto out = std::back_inserter(text);
-  for (const Vec3& v : mesh.vertices) fmt::format_to(out, "{} {} {}\n", v.x(), v.y(), v.z());
-  for (const auto& [a, b, c] : mesh.triangles) fmt::format_to(out, "3 {} {} {}\n", a, b, c);
+  for (const Vec3& v : mesh.vertices) {
+    stop_here();
+    fmt::format_to(out, "{} {} {}\n", v.x(), v.y(), v.z());
+  }
+  for (const auto& [a, b, c] : mesh.triangles) {
+    stop_here();
+    fmt::format_to(out, "3 {} {} {}\n", a, b, c);
+  }
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include "error.hpp"
 #include "geometry/single_precision.hpp"
 #include "mesh/io/encode.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -32,6 +33,7 @@ std::string encode_stl(const std::vector<TriangleMesh>& parts, const std::string
   const auto count = std::uint32_t(mesh.triangles.size());
   bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
   for (const auto& [a, b, c] : mesh.triangles) {
+    stop_here();
     const Vec3 &p = mesh.vertices[a], &q = mesh.vertices[b], &r = mesh.vertices[c];
     append(bytes, (q - p).cross(r - p).stableNormalized());
     for (const Vec3& corner : {p, q, r}) append(bytes, corner);

@@ -16,11 +16,12 @@ namespace kreisel::core {
 
 const std::vector<MeshFormat>& mesh_formats() {
   static const std::vector<MeshFormat> formats = {
-      {".stl", "STL", false, read_stl, encode_stl},
-      {".3mf", "3MF", true, read_3mf, encode_3mf, encode_3mf_objects, read_3mf_objects},
-      {".obj", "OBJ", false, read_obj, encode_obj},
-      {".ply", "PLY", false, read_ply, encode_ply},
-      {".off", "OFF", false, read_off, encode_off},
+      {".stl", "STL", Precision::as_single, false, read_stl, encode_stl},
+      {".3mf", "3MF", Precision::as_single_about_place, true, read_3mf, encode_3mf, encode_3mf_objects,
+       read_3mf_objects},
+      {".obj", "OBJ", Precision::as_double, false, read_obj, encode_obj},
+      {".ply", "PLY", Precision::as_double, false, read_ply, encode_ply},
+      {".off", "OFF", Precision::as_double, false, read_off, encode_off},
   };
   return formats;
 }

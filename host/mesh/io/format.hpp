@@ -12,10 +12,18 @@
 
 namespace kreisel::core {
 
+/// What a format keeps of a coordinate.
+enum class Precision {
+  as_double,
+  as_single,              ///< less of it the farther from the origin
+  as_single_about_place,  ///< single precision about a place in the file, which may be far away (place_of())
+};
+
 /// Everything that is known of a format: a new one is one more entry in format.cpp.
 struct MeshFormat {
   std::string_view extension;  ///< lower case, with the dot
   std::string_view name;
+  Precision written;
   bool has_unit;  ///< a file says what its lengths are in; read() turns them into millimetres
   MeshReading (*read)(const MeshFile& file);
   /// The bytes of a file of that name with all parts. @throws InputError  something the format cannot hold

@@ -4,6 +4,7 @@
 #include "error.hpp"
 #include "mesh/io/ply_header.hpp"
 #include "mesh/io/text.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core::ply {
 
@@ -13,8 +14,9 @@ class Numbers {
   Numbers(const MeshFile& file, const Header& header)
       : file_(file), encoding_(header.encoding), rest_(header.body) {}
 
-  /// Names what is being read, for the errors.
+  /// Names what is being read, for the errors. @throws Interrupted  a stop was asked for
   void at(const Element& element, std::uint64_t index) {
+    stop_here();
     element_ = &element;
     index_ = index;
   }

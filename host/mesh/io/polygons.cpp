@@ -11,6 +11,7 @@
 #include "geometry/clip_ears.hpp"
 #include "geometry/flip_delaunay.hpp"
 #include "geometry/predicates.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -95,6 +96,7 @@ MeshReading triangulated(PolygonMesh polygons) {
   MeshReading reading;
   std::size_t fans = 0;
   for (std::size_t f = 0; f < polygons.faces(); ++f) {
+    stop_here();
     const Corners face = polygons.face(f);
     if (face.size() == 3) {
       reading.mesh.triangles.push_back({face[0], face[1], face[2]});

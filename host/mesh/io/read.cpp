@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <iterator>
 
 #include "error.hpp"
 #include "mesh/io/format.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -19,8 +19,18 @@ std::string contents(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(status))
     throw InputError(fmt::format("{}: is a directory, expected a mesh file", path.string()));
   std::ifstream in(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in.good() && !in.eof())
+  std::string bytes;
+  constexpr std::size_t block = std::size_t{1} << 22;
+  if (std::filesystem::is_regular_file(status))  // or it would be moved as it grows
+    bytes.reserve(std::filesystem::file_size(path, ignored) + block);
+  do {
+    stop_here();
+    const std::size_t so_far = bytes.size();
+    bytes.resize(so_far + block);
+    in.read(bytes.data() + so_far, block);
+    bytes.resize(so_far + static_cast<std::size_t>(in.gcount()));
+  } while (in);
+  if (!in.eof())
     throw InputError(fmt::format("{}: cannot be opened, expected a readable file", path.string()));
   if (bytes.empty()) throw InputError(fmt::format("{}: empty file, expected a mesh", path.string()));
   return bytes;

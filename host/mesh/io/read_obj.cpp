@@ -7,6 +7,7 @@
 #include "mesh/io/polygons.hpp"
 #include "mesh/io/text.hpp"
 #include "parse.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -74,6 +75,7 @@ class ObjReader {
 
   MeshReading read() {
     for (std::string_view line; statements_.next(line);) {
+      stop_here();
       const std::string_view keyword = next_word(line);
       if (keyword == "v")
         add_vertex(line);

@@ -7,10 +7,11 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <unordered_map>
 
 #include "geometry/exact_point_hash.hpp"
+#include "geometry/first_equal.hpp"
 #include "mesh/io/text.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -21,19 +22,28 @@ static_assert(std::endian::native == std::endian::little, "binary STL is little-
 /// Gathers corners; equal coordinates share an index. 0 and -0 are equal.
 class CornerMerge {
  public:
-  explicit CornerMerge(TriangleMesh& mesh) : mesh_(mesh) {}
+  /// @param expected  how many vertices there may be
+  explicit CornerMerge(TriangleMesh& mesh, std::size_t expected = 0) : mesh_(mesh), table_(expected) {
+    mesh.vertices.reserve(expected);
+  }
 
   std::uint32_t operator()(const Vec3& p) {
-    const Key key{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};  // -0 + 0 is 0
-    const auto [entry, fresh] = index_.try_emplace(key, std::uint32_t(mesh_.vertices.size()));
-    if (fresh) mesh_.vertices.emplace_back(key[0], key[1], key[2]);
-    return entry->second;
+    const auto next = std::uint32_t(mesh_.vertices.size());
+    mesh_.vertices.push_back(p.array() + 0.0);  // -0 + 0 is 0
+    const std::uint32_t first = table_(
+        next,
+        [&](std::uint32_t i) {
+          const Vec3& v = mesh_.vertices[i];
+          return ExactPointHash()({v.x(), v.y(), v.z()});
+        },
+        [&](std::uint32_t i, std::uint32_t j) { return mesh_.vertices[i] == mesh_.vertices[j]; });
+    if (first != next) mesh_.vertices.pop_back();
+    return first;
   }
 
  private:
-  using Key = std::array<double, 3>;
   TriangleMesh& mesh_;
-  std::unordered_map<Key, std::uint32_t, ExactPointHash> index_;
+  EqualTable table_;
 };
 
 /// Bytes the file has if it is binary and whole, by its facet count; at least header and count.
@@ -60,9 +70,11 @@ MeshReading read_binary(const MeshFile& file) {
                                  file.bytes.size(), want));
   MeshReading reading;
   TriangleMesh& mesh = reading.mesh;
-  CornerMerge corner(mesh);
   const std::size_t facets = (file.bytes.size() - header_bytes - count_bytes) / facet_bytes;
+  mesh.triangles.reserve(facets);
+  CornerMerge corner(mesh, facets / 2 + 2);  // as many as a ball has
   for (std::size_t f = 0; f < facets; ++f) {
+    stop_here();
     float v[12];  // normal, then three corners
     std::memcpy(v, file.bytes.data() + header_bytes + count_bytes + f * facet_bytes, sizeof v);
     Triangle t;

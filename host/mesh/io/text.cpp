@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "parse.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -134,6 +135,7 @@ std::string_view Words::next() {
   for (;;) {
     const std::string_view word = next_in_line();
     if (!word.empty() || rest_.empty()) return word;
+    stop_here();
     (void)cut_line(rest_);
     ++line_;
   }

@@ -6,6 +6,7 @@
 
 #include "mesh/make/crease.hpp"
 #include "parallel.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -112,6 +113,7 @@ void cut_all(const CubicLattice& lattice, const std::vector<std::uint8_t>& insid
                [&](std::size_t l) { layers[l] = crossed(lattice, inside, 2 * static_cast<int>(l) + 1); });
   for (const std::vector<Spoke>& layer : layers)
     for (const Spoke& spoke : layer) {
+      stop_here();
       const auto ring = ring_of(spoke);
       for (std::size_t r = 0; r < 4; ++r)
         cutter.cut({spoke.from, spoke.from + 2 * Index::Unit(spoke.axis), ring[r], ring[(r + 1) % 4]});

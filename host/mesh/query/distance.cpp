@@ -10,22 +10,24 @@ namespace kreisel::core {
 
 struct SurfaceDistance::Scene {
   explicit Scene(const TriangleMesh& of) : mesh(&of), embree(of) {
-    double largest = 0;
-    for (const Vec3& v : of.vertices) largest = std::max(largest, v.cwiseAbs().maxCoeff());
-    margin = static_cast<float>(16 * largest) * std::numeric_limits<float>::epsilon();
+    for (const Vec3& v : of.vertices) largest = std::max(largest, embree.local(v).cwiseAbs().maxCoeff());
+  }
+  /// Covers the rounding of the mesh and the query point to single precision.
+  [[nodiscard]] float margin(const Eigen::Vector3f& at) const {
+    return 16 * std::max(largest, at.cwiseAbs().maxCoeff()) * std::numeric_limits<float>::epsilon();
   }
 
   const TriangleMesh* mesh;
   EmbreeScene embree;
-  float margin = 0;  ///< covers the rounding of the mesh and the query point to single precision
+  float largest = 0;  ///< coordinate of the mesh as Embree has it
 };
 
 struct SurfaceDistance::Query {
   const TriangleMesh* mesh;
   Vec3 point;
   double best, enough;
-  float margin;
-  std::optional<std::uint32_t> nearest;
+  float margin = 0;
+  std::optional<std::uint32_t> nearest = {};
 
   static bool visit(RTCPointQueryFunctionArguments* arguments) {
     auto& query = *static_cast<Query*>(arguments->userPtr);
@@ -45,24 +47,24 @@ SurfaceDistance::SurfaceDistance(const TriangleMesh& mesh) : scene_(std::make_un
 SurfaceDistance::~SurfaceDistance() = default;
 
 void SurfaceDistance::search(Query& query, double limit) const {
+  const Eigen::Vector3f at = scene_->embree.local(query.point);
+  query.margin = scene_->margin(at);
   RTCPointQuery embree{};
-  embree.x = static_cast<float>(query.point[0]);
-  embree.y = static_cast<float>(query.point[1]);
-  embree.z = static_cast<float>(query.point[2]);
-  embree.radius = static_cast<float>(limit) + scene_->margin;
+  embree.x = at[0], embree.y = at[1], embree.z = at[2];
+  embree.radius = static_cast<float>(limit) + query.margin;
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   rtcPointQuery(scene_->embree.handle(), &embree, &context, Query::visit, &query);
 }
 
 double SurfaceDistance::operator()(const Vec3& point, double limit, double enough) const {
-  Query query{scene_->mesh, point, limit, enough, scene_->margin, {}};
+  Query query{scene_->mesh, point, limit, enough};
   search(query, limit);
   return query.best;
 }
 
 std::optional<std::uint32_t> SurfaceDistance::nearest(const Vec3& point, double limit) const {
-  Query query{scene_->mesh, point, limit, 0, scene_->margin, {}};
+  Query query{scene_->mesh, point, limit, 0};
   search(query, limit);
   return query.nearest;
 }

@@ -23,6 +23,7 @@ std::shared_ptr<RTCDeviceTy> shared_device() {
 EmbreeScene::EmbreeScene() : device_(shared_device()), scene_(rtcNewScene(device_.get())) {}
 
 EmbreeScene::EmbreeScene(const TriangleMesh& mesh) : EmbreeScene() {
+  if (!mesh.vertices.empty()) middle_ = bounding_box(mesh).centre();
   rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
   const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
@@ -33,8 +34,10 @@ EmbreeScene::EmbreeScene(const TriangleMesh& mesh) : EmbreeScene() {
     rtcReleaseGeometry(geometry);
     throw std::bad_alloc();
   }
-  for (const Vec3& v : mesh.vertices)
-    for (int k = 0; k < 3; ++k) *vertices++ = static_cast<float>(v[k]);
+  for (const Vec3& v : mesh.vertices) {
+    const Eigen::Vector3f at = local(v);
+    vertices = std::copy(at.begin(), at.end(), vertices);
+  }
   for (const Triangle& t : mesh.triangles) triangles = std::copy(t.begin(), t.end(), triangles);
   rtcCommitGeometry(geometry);
   commit(geometry);

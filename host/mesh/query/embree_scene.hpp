@@ -13,7 +13,8 @@ namespace kreisel::core {
 class EmbreeScene {
  public:
   EmbreeScene();
-  /// The triangles of a mesh in single precision, committed, for watertight rays and point queries.
+  /// The triangles of a mesh in single precision, committed, for watertight rays and point queries. They lie
+  /// about the middle of the mesh, so that it keeps its digits however far from the origin it is.
   explicit EmbreeScene(const TriangleMesh& mesh);
   ~EmbreeScene() { rtcReleaseScene(scene_); }
   EmbreeScene(const EmbreeScene&) = delete;
@@ -23,10 +24,13 @@ class EmbreeScene {
   void commit(RTCGeometry geometry);
   [[nodiscard]] RTCDevice device() const { return device_.get(); }
   [[nodiscard]] RTCScene handle() const { return scene_; }
+  /// A point of the mesh's coordinates in those of the scene.
+  [[nodiscard]] Eigen::Vector3f local(const Vec3& p) const { return (p - middle_).cast<float>(); }
 
  private:
   std::shared_ptr<RTCDeviceTy> device_;
   RTCScene scene_;
+  Vec3 middle_ = Vec3::Zero();
 };
 
 }  // namespace kreisel::core

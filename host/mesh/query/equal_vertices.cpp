@@ -1,22 +1,39 @@
 #include "mesh/query/equal_vertices.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "geometry/exact_point_hash.hpp"
+#include "geometry/first_equal.hpp"
 
 namespace kreisel::core {
 
 std::vector<std::uint32_t> first_equal_vertex(const std::vector<Vec3>& vertices) {
-  std::vector<std::uint32_t> order(vertices.size()), first(vertices.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t i) {
-    return std::tie(vertices[i].x(), vertices[i].y(), vertices[i].z());
+  return first_equal(
+      vertices.size(),
+      [&](std::uint32_t i) {
+        const Vec3& v = vertices[i];
+        return ExactPointHash()({v.x() + 0.0, v.y() + 0.0, v.z() + 0.0});  // -0 + 0 is 0
+      },
+      [&](std::uint32_t i, std::uint32_t j) { return vertices[i] == vertices[j]; });
+}
+
+std::vector<std::uint32_t> first_equal_triangle(const std::vector<Triangle>& triangles) {
+  const auto corners = [&](std::uint32_t i) {
+    Triangle t = triangles[i];
+    std::ranges::sort(t);
+    return t;
   };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-    return vertices[i] == vertices[j] ? i < j : key(i) < key(j);
-  });
-  for (std::size_t k = 0; k < order.size(); ++k)
-    first[order[k]] = k && vertices[order[k]] == vertices[order[k - 1]] ? first[order[k - 1]] : order[k];
-  return first;
+  return first_equal(
+      triangles.size(),
+      [&](std::uint32_t i) {
+        std::uint64_t h = 0;
+        for (const std::uint32_t v : corners(i)) {
+          h = (h ^ v) * 0x9e3779b97f4a7c15ULL;
+          h ^= h >> 32;
+        }
+        return h;
+      },
+      [&](std::uint32_t i, std::uint32_t j) { return corners(i) == corners(j); });
 }
 
 }  // namespace kreisel::core

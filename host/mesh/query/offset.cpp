@@ -10,6 +10,7 @@
 #include "mesh/query/reach.hpp"
 #include "mesh/query/sides.hpp"
 #include "parallel.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -228,9 +229,13 @@ LineSpans ShellPieces::without_shell(double wall, const LineRaster& raster, cons
     // A few everywhere first: they leave little for the others.
     constexpr std::size_t stride = 16;
     for (std::size_t from = 0; from < stride; ++from)
-      for (std::size_t i = from; i < balls[b].size(); i += stride) band.remove_ball(v[balls[b][i]], wall);
+      for (std::size_t i = from; i < balls[b].size(); i += stride) {
+        stop_here();
+        band.remove_ball(v[balls[b][i]], wall);
+      }
     Cutter cutter(*this, wall, band);
     for (const std::uint32_t t : triangles[b]) {
+      stop_here();
       cutter.remove_prism(t);
       for (std::size_t k = 0; k < 3; ++k) cutter.remove_cylinder(t, k);
     }

@@ -1,28 +1,42 @@
 #include "mesh/query/sides.hpp"
 
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "error.hpp"
+#include "parallel.hpp"
+#include "stop.hpp"
+
 namespace kreisel::core {
 
 std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
+  constexpr std::uint32_t most = std::uint32_t{1} << Side::triangle_bits;
+  if (mesh.triangles.size() >= most)
+    throw InputError(
+        fmt::format("a mesh of {} triangles; expected fewer than {}", mesh.triangles.size(), most));
   // A counting sort by the lower end leaves only the few sides of each vertex to be compared.
-  std::vector<std::size_t> start(mesh.vertices.size() + 1, 0);
+  std::vector<std::uint32_t> start(mesh.vertices.size() + 2, 0);
   const auto each = [&](auto&& visit) {
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-      for (std::uint8_t k = 0; k < 3; ++k) {
-        const std::uint32_t from = mesh.triangles[i][k], to = mesh.triangles[i][(k + 1u) % 3];
-        if (from != to) visit(Side{std::min(from, to), std::max(from, to), std::uint32_t(i), k, from < to});
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+      stop_here(i);
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = mesh.triangles[i][k], to = mesh.triangles[i][(k + 1) % 3];
+        if (from != to)
+          visit(Side{std::min(from, to), std::max(from, to), i & (most - 1), k & 3u, from < to});
       }
+    }
   };
-  each([&](const Side& s) { ++start[s.low + 1]; });
-  for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
+  each([&](const Side& s) { ++start[s.low + 2]; });
+  for (std::size_t v = 2; v < start.size(); ++v) start[v] += start[v - 1];
   std::vector<Side> sides(start.back());
-  std::vector<std::size_t> next(start.begin(), start.end() - 1);
-  each([&](const Side& s) { sides[next[s.low]++] = s; });
-  for (std::size_t v = 0; v + 1 < start.size(); ++v)
-    std::sort(sides.begin() + std::ptrdiff_t(start[v]), sides.begin() + std::ptrdiff_t(start[v + 1]),
-              [](const Side& a, const Side& b) {
-                return a.high != b.high ? a.high < b.high
-                                        : 3 * a.triangle + a.corner < 3 * b.triangle + b.corner;
-              });
+  each([&](const Side& s) { sides[start[s.low + 1]++] = s; });  // then start[v] is where those of v begin
+  parallel_for(mesh.vertices.size(), 1 << 14, [&](std::size_t v) {
+    std::sort(sides.begin() + start[v], sides.begin() + start[v + 1], [](const Side& a, const Side& b) {
+      return a.high != b.high ? a.high < b.high
+                              : std::pair(a.triangle, a.corner) < std::pair(b.triangle, b.corner);
+    });
+  });
   return sides;
 }
 

@@ -5,15 +5,17 @@
 #include <vector>
 
 #include "geometry/triangle_mesh.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 
-/// The side of a triangle from its corner `corner` to the next.
+/// The side of a triangle from its corner `corner` to the next. Small, for a mesh has three a triangle.
 struct Side {
+  static constexpr int triangle_bits = 29;
   std::uint32_t low, high;  ///< ends, by vertex index
-  std::uint32_t triangle;
-  std::uint8_t corner;  ///< 0, 1 or 2
-  bool forward;         ///< runs from low to high
+  std::uint32_t triangle : triangle_bits;
+  std::uint32_t corner : 2;  ///< 0, 1 or 2
+  bool forward : 1;          ///< runs from low to high
 
   [[nodiscard]] bool same_edge(const Side& o) const { return low == o.low && high == o.high; }
   /// Number of its corner at the end `low` (or `high`) among all 3 * triangles corners.
@@ -23,12 +25,14 @@ struct Side {
 };
 
 /// All sides but those from a vertex to itself; by edge, then by triangle.
+/// @throws InputError  2^29 triangles or more
 [[nodiscard]] std::vector<Side> sorted_sides(const TriangleMesh& mesh);
 
 /// Calls visit(first, last) for the sides of each edge in turn. @param sides  as from sorted_sides()
 template <class Visit>
 void for_each_edge(const std::vector<Side>& sides, Visit&& visit) {
   for (auto first = sides.begin(); first != sides.end();) {
+    stop_here();
     const auto last = std::find_if(first, sides.end(), [&](const Side& s) { return !s.same_edge(*first); });
     visit(first, last);
     first = last;

@@ -12,7 +12,8 @@ std::optional<SurfaceRays::Hit> SurfaceRays::first(const Vec3& from, const Vec3&
                                                    double most) const {
   if (!(least < most)) return std::nullopt;
   RTCRayHit ray{};
-  ray.ray.org_x = float(from[0]), ray.ray.org_y = float(from[1]), ray.ray.org_z = float(from[2]);
+  const Eigen::Vector3f at = scene_->local(from);
+  ray.ray.org_x = at[0], ray.ray.org_y = at[1], ray.ray.org_z = at[2];
   ray.ray.dir_x = float(direction[0]), ray.ray.dir_y = float(direction[1]),
   ray.ray.dir_z = float(direction[2]);
   ray.ray.tnear = float(least), ray.ray.tfar = float(most);
@@ -24,7 +25,7 @@ std::optional<SurfaceRays::Hit> SurfaceRays::first(const Vec3& from, const Vec3&
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const float along =
       ray.hit.Ng_x * ray.ray.dir_x + ray.hit.Ng_y * ray.ray.dir_y + ray.hit.Ng_z * ray.ray.dir_z;
-  return Hit{double(ray.ray.tfar), along > 0};
+  return Hit{double(ray.ray.tfar), along > 0, ray.hit.primID};
 }
 
 }  // namespace kreisel::core

@@ -8,13 +8,14 @@
 
 namespace kreisel::core {
 
-/// Embree's watertight rays, in single precision: distances are right to about 1e-6 of the coordinates. Safe
-/// to ask from several threads.
+/// Embree's watertight rays, in single precision: distances are right to about 1e-6 of the mesh's size,
+/// wherever it lies. Safe to ask from several threads.
 class SurfaceRays {
  public:
   struct Hit {
-    double distance;  ///< in lengths of the direction
-    bool out;         ///< whether the ray leaves the solid there
+    double distance;         ///< in lengths of the direction
+    bool out;                ///< whether the ray leaves the solid there
+    std::uint32_t triangle;  ///< of the mesh
   };
 
   explicit SurfaceRays(const TriangleMesh& mesh);

@@ -20,16 +20,29 @@ void note(EdgeFault& fault, const Side& side) {
   if (!fault.count++) fault.first = {side.low, side.high};
 }
 
-void inspect_edges(const std::vector<Side>& sides, MeshReport& report) {
+/// Of the triangles at an edge those with a corner in common with an earlier one, the highest of the three:
+/// each repeated triangle is counted at one of its edges.
+template <class Sides>
+std::size_t repeated_at(const TriangleMesh& mesh, Sides first, Sides last) {
+  const auto apex = [&](const Side& s) { return mesh.triangles[s.triangle][(s.corner + 2u) % 3]; };
+  if (last - first == 2) return apex(first[0]) == apex(first[1]) && apex(first[0]) > first->high;
+  std::vector<std::uint32_t> apexes;
+  for (auto side = first; side != last; ++side)
+    if (apex(*side) > side->high) apexes.push_back(apex(*side));
+  std::ranges::sort(apexes);
+  return apexes.size() - std::size_t(std::unique(apexes.begin(), apexes.end()) - apexes.begin());
+}
+
+void inspect_edges(const TriangleMesh& mesh, const std::vector<Side>& sides, MeshReport& report) {
   for_each_edge(sides, [&](auto first, auto last) {
-    if (last - first == 1) note(report.open, *first);
+    if (last - first == 1) return note(report.open, *first);
     if (last - first > 2) note(report.crowded, *first);
     if (last - first == 2 && first[0].forward == first[1].forward) note(report.misoriented, *first);
+    report.duplicate_count += repeated_at(mesh, first, last);
   });
 }
 
 void inspect_triangles(const TriangleMesh& mesh, MeshReport& report) {
-  std::vector<Triangle> corners;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& [a, b, c] = mesh.triangles[i];
     if (a == b || b == c || c == a) {
@@ -38,12 +51,7 @@ void inspect_triangles(const TriangleMesh& mesh, MeshReport& report) {
       continue;
     }
     if (projection_axis(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]) < 0) ++report.flat_count;
-    corners.push_back(mesh.triangles[i]);
-    std::sort(corners.back().begin(), corners.back().end());
   }
-  std::sort(corners.begin(), corners.end());
-  report.duplicate_count =
-      corners.size() - std::size_t(std::unique(corners.begin(), corners.end()) - corners.begin());
 }
 
 void inspect_vertices(const TriangleMesh& mesh, const std::vector<Side>& sides, MeshReport& report) {
@@ -88,18 +96,21 @@ std::string edge_text(const TriangleMesh& mesh, const EdgeFault& fault) {
 
 MeshReport inspect(const TriangleMesh& mesh) {
   MeshReport report;
-  const std::vector<Side> sides = sorted_sides(mesh);
   inspect_triangles(mesh, report);
-  inspect_edges(sides, report);
-  inspect_vertices(mesh, sides, report);
   inspect_volume(mesh, report);
+  const std::vector<Side> sides = sorted_sides(mesh);
+  inspect_edges(mesh, sides, report);
+  inspect_vertices(mesh, sides, report);
   return report;
 }
 
 void require_solid(const TriangleMesh& mesh, std::string_view name) {
+  require_solid(mesh, mesh.triangles.empty() ? MeshReport() : inspect(mesh), name);
+}
+
+void require_solid(const TriangleMesh& mesh, const MeshReport& r, std::string_view name) {
   if (mesh.triangles.empty())
     throw InputError(fmt::format("{}: no triangles, expected a closed surface", name));
-  const MeshReport r = inspect(mesh);
   const auto refuse_edges = [&](const EdgeFault& fault, std::string_view what, std::string_view expected) {
     if (fault.count)
       throw InputError(fmt::format("{}: {}: {}, the first from {}; expected {}", name, what, fault.count,

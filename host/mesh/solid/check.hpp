@@ -44,5 +44,7 @@ struct MeshReport {
 /// @throws InputError  the first of: empty, repeated vertex in a triangle, crowded, open or misoriented edge,
 ///                     zero volume, inside out; one line with number, place and what mends it
 void require_solid(const TriangleMesh& mesh, std::string_view name);
+/// The same of a mesh that is inspected already. @param report  of the mesh
+void require_solid(const TriangleMesh& mesh, const MeshReport& report, std::string_view name);
 
 }  // namespace kreisel::core

@@ -6,6 +6,7 @@
 #include "geometry/predicates.hpp"
 #include "geometry/triangle.hpp"
 #include "mesh/query/sides.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -55,6 +56,7 @@ bool crosses(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
 bool encloses(const TriangleMesh& mesh, const Shell& shell, const Vec3& p) {
   bool inside = false;
   for (const std::uint32_t t : shell.triangles) {
+    stop_here();
     const auto [a, b, c] = corners_of(mesh, mesh.triangles[t]);
     if (std::max({a.y(), b.y(), c.y()}) < p.y() || std::min({a.y(), b.y(), c.y()}) > p.y()) continue;
     if (std::max({a.x(), b.x(), c.x()}) < p.x() || std::max({a.z(), b.z(), c.z()}) < p.z()) continue;
@@ -105,6 +107,7 @@ std::vector<std::vector<std::uint32_t>> enclosing_shells(const TriangleMesh& mes
                                                          const std::vector<Shell>& shells) {
   std::vector<std::vector<std::uint32_t>> enclosing(shells.size());
   for (std::size_t i = 0; i < shells.size(); ++i) {
+    stop_here();
     const Vec3 p = point_of(mesh, shells[i]);
     for (std::uint32_t j = 0; j < shells.size(); ++j)
       if (i != j && shells[i].box.within(shells[j].box) && encloses(mesh, shells[j], p))

@@ -3,17 +3,17 @@
 #include <utility>
 
 #include "mesh/query/sides.hpp"
-#include "mesh/solid/components.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
 
-constexpr std::uint32_t none = ~0u;
+constexpr std::uint32_t none = (std::uint32_t{1} << Side::triangle_bits) - 1;
 
 /// Across one side of a triangle: the neighbour, and whether the two run the same way along the edge.
 struct Neighbour {
-  std::uint32_t triangle = none;
-  bool conflict = false;
+  std::uint32_t triangle : Side::triangle_bits = none;
+  bool conflict : 1 = false;
 };
 
 std::vector<Neighbour> neighbours(const TriangleMesh& mesh) {
@@ -22,7 +22,7 @@ std::vector<Neighbour> neighbours(const TriangleMesh& mesh) {
     if (last - first != 2) return;
     const bool conflict = first[0].forward == first[1].forward;
     for (const std::size_t k : {0u, 1u})
-      across[3 * first[k].triangle + first[k].corner] = {first[1 - k].triangle, conflict};
+      across[3 * std::size_t{first[k].triangle} + first[k].corner] = {first[1 - k].triangle, conflict};
   });
   return across;
 }
@@ -42,9 +42,10 @@ std::size_t orient_shells(TriangleMesh& mesh) {
     state[seed] = keep;
     std::size_t flips = 0;
     bool orientable = true;
-    for (std::size_t next = 0; next < shell.size(); ++next)
+    for (std::size_t next = 0; next < shell.size(); ++next) {
+      stop_here();
       for (std::size_t k = 0; k < 3; ++k) {
-        const Neighbour& n = across[3 * shell[next] + k];
+        const Neighbour n = across[3 * std::size_t{shell[next]} + k];
         if (n.triangle == none) continue;
         const char wanted = (state[shell[next]] == flip) != n.conflict ? flip : keep;
         if (state[n.triangle] == unseen) {
@@ -55,6 +56,7 @@ std::size_t orient_shells(TriangleMesh& mesh) {
           orientable = false;
         }
       }
+    }
     if (!orientable) continue;
     const char fewest = 2 * flips <= shell.size() ? flip : keep;
     for (const std::uint32_t t : shell)
@@ -66,8 +68,7 @@ std::size_t orient_shells(TriangleMesh& mesh) {
   return turned;
 }
 
-std::size_t face_outward(TriangleMesh& mesh) {
-  const std::vector<Shell> all = shells(mesh);
+std::size_t face_outward(TriangleMesh& mesh, const std::vector<Shell>& all) {
   const auto enclosing = enclosing_shells(mesh, all);
   const auto inside_out = [&](std::uint32_t i) { return enclosing[i].empty() && all[i].volume < 0; };
   std::size_t turned = 0;

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "geometry/triangle_mesh.hpp"
+#include "mesh/solid/components.hpp"
 
 namespace kreisel::core {
 
@@ -14,7 +14,8 @@ std::size_t orient_shells(TriangleMesh& mesh);
 
 /// Turns each outermost shell that faces inward, and all that it encloses with it. The mesh is closed and
 /// each shell oriented.
-/// @return  shells turned
-std::size_t face_outward(TriangleMesh& mesh);
+/// @param all  the shells of the mesh
+/// @return     shells turned
+std::size_t face_outward(TriangleMesh& mesh, const std::vector<Shell>& all);
 
 }  // namespace kreisel::core

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "geometry/predicates.hpp"
 #include "mesh/make/flip_flat.hpp"
@@ -88,12 +87,19 @@ void weld_corners(TriangleMesh& mesh, double within, RepairReport& report) {
 
 bool repeats_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
-/// Drops what the predicate says if a closed surface is left.
+/// Drops the triangles of the numbers for which the predicate holds if a closed surface is left.
 template <class Predicate>
 void drop_if_closed(TriangleMesh& mesh, Predicate drop, const char* one, const char* many,
                     RepairReport& report) {
-  TriangleMesh candidate = mesh;
-  const std::size_t dropped = drop_triangles(candidate, drop);
+  TriangleMesh candidate;
+  std::size_t dropped = 0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!drop(t)) {
+      if (dropped > 0) candidate.triangles.push_back(mesh.triangles[t]);
+    } else if (dropped++ == 0) {
+      candidate = {mesh.vertices, {mesh.triangles.begin(), mesh.triangles.begin() + t}};
+    }
+  }
   if (!dropped || candidate.triangles.empty() || !count_edges(candidate).closed()) return;
   mesh = std::move(candidate);
   report.lines.push_back("dropped " + counted(dropped, one, many));
@@ -103,20 +109,15 @@ void drop_useless_triangles(TriangleMesh& mesh, RepairReport& report) {
   if (const std::size_t n = drop_triangles(mesh, repeats_vertex))
     report.lines.push_back("dropped " + counted(n, "triangle that uses", "triangles that use") +
                            " a vertex twice");
+  const auto without_area = [&](std::uint32_t i) {
+    const Triangle& t = mesh.triangles[i];
+    return projection_axis(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]) < 0;
+  };
+  drop_if_closed(mesh, without_area, "triangle without area", "triangles without area", report);
+  const std::vector<std::uint32_t> first = first_equal_triangle(mesh.triangles);
   drop_if_closed(
-      mesh,
-      [&](const Triangle& t) {
-        return projection_axis(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]) < 0;
-      },
-      "triangle without area", "triangles without area", report);
-  std::set<Triangle> seen;
-  drop_if_closed(
-      mesh,
-      [&](Triangle t) {
-        std::sort(t.begin(), t.end());
-        return !seen.insert(t).second;
-      },
-      "repeated triangle", "repeated triangles", report);
+      mesh, [&](std::uint32_t i) { return first[i] != i; }, "repeated triangle", "repeated triangles",
+      report);
 }
 
 void orient(TriangleMesh& mesh, RepairReport& report) {
@@ -126,10 +127,10 @@ void orient(TriangleMesh& mesh, RepairReport& report) {
   if (const std::size_t n = flip_flat_triangles(mesh))
     report.lines.push_back("flipped " + counted(n, "triangle without area into its neighbour",
                                                 "triangles without area into their neighbours"));
-  if (!count_edges(mesh).closed()) return;  // no inside, no outside
-  for (const Shell& shell : shells(mesh))
-    if (!shell.oriented) return;
-  if (const std::size_t n = face_outward(mesh))
+  const std::vector<Shell> all = shells(mesh);
+  for (const Shell& shell : all)
+    if (!shell.closed || !shell.oriented) return;  // no inside, no outside
+  if (const std::size_t n = face_outward(mesh, all))
     report.lines.push_back("turned " + counted(n, "inside-out shell", "inside-out shells"));
 }
 

@@ -13,12 +13,17 @@ struct SolidMesh {
   RepairReport repairs;  ///< and how many cavities the solid has
 };
 
-/// The surface after every check: closed, two triangles at every edge, orientable, of non-zero volume
-/// (require_solid()); not running through itself; shells within shells facing inward and outward in turn.
+/// The mesh of the surface, which gives it away, after every check: closed, two triangles at every edge,
+/// orientable, of non-zero volume (require_solid()); not running through itself; shells within shells facing
+/// inward and outward in turn.
 ///
 /// @param name  what messages call the mesh
 /// @throws InputError  the first check that fails; one line with number and place
 [[nodiscard]] SolidMesh make_solid(Surface& surface, std::string_view name);
+
+/// The same checks of a mesh that needs no mending.
+/// @throws InputError  as make_solid()
+void require_sound(const TriangleMesh& mesh, std::string_view name);
 
 /// The same of a mesh as it is read, which is mended first (repair.hpp).
 [[nodiscard]] SolidMesh make_solid(TriangleMesh mesh, std::string_view name);

@@ -4,6 +4,11 @@
 
 namespace kreisel::core {
 
+const MeshReport& Surface::report() {
+  if (!report_) report_ = inspect(mesh_);
+  return *report_;
+}
+
 const Surface::Pairs& Surface::crossings() {
   if (!crossings_) crossings_ = self_intersections(mesh_);
   return *crossings_;

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "mesh/solid/check.hpp"
 #include "mesh/solid/components.hpp"
 #include "mesh/solid/repair.hpp"
 
@@ -19,8 +20,18 @@ class Surface {
   explicit Surface(TriangleMesh mesh, double weld = 0, RepairReport so_far = {})
       : repairs_(std::move(so_far)), mesh_(repaired(std::move(mesh), repairs_, weld)) {}
 
+  /// Mends nothing.
+  [[nodiscard]] static Surface as_it_is(TriangleMesh mesh) {
+    Surface surface;
+    surface.mesh_ = std::move(mesh);
+    return surface;
+  }
+
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
   [[nodiscard]] const RepairReport& repairs() const { return repairs_; }
+  /// Gives the mesh away; what is known of it stays.
+  [[nodiscard]] TriangleMesh take_mesh() { return std::move(mesh_); }
+  [[nodiscard]] const MeshReport& report();
   /// Pairs of triangles that run through each other (self_intersections.hpp).
   [[nodiscard]] const Pairs& crossings();
   [[nodiscard]] const std::vector<Shell>& shells();
@@ -28,8 +39,11 @@ class Surface {
   [[nodiscard]] const Nesting& enclosing();
 
  private:
+  Surface() = default;
+
   RepairReport repairs_;
   TriangleMesh mesh_;
+  std::optional<MeshReport> report_;
   std::optional<Pairs> crossings_;
   std::optional<std::vector<Shell>> shells_;
   std::optional<Nesting> enclosing_;

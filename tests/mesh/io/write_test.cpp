@@ -69,6 +69,22 @@ TEST_F(WriteMesh, KeepsObjectsApartWhereAFormatHasThem) {
   EXPECT_EQ(read_objects(folder_ / "a.stl").size(), 1u);
 }
 
+TEST_F(WriteMesh, HoldsAnyPlaceInThreeMf) {
+  for (const double away : {300.0, 123456.0, 987654321.0}) {
+    const Vec3 place(away, -0.7 * away, 0);
+    TriangleMesh mesh = geodesic_sphere(3);
+    for (Vec3& v : mesh.vertices) v = 20 * v + place;
+    write_mesh(folder_ / "a.3mf", {mesh});
+    const TriangleMesh back = read_mesh(folder_ / "a.3mf");
+    ASSERT_EQ(back.vertices.size(), mesh.vertices.size());
+    // Floats of 300 where the origin is near; else about a place of six digits, which may be 500 off, cut to six
+    // decimals; doubles of 1e9.
+    const double rounding = away > 1e3 && away < 1e6 ? 3e-6 : 3.2e-5;
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+      EXPECT_LE((back.vertices[i] - mesh.vertices[i]).cwiseAbs().maxCoeff(), rounding) << away;
+  }
+}
+
 TEST_F(WriteMesh, ReplacesAnEarlierFileAndLeavesNothingElse) {
   std::ofstream(folder_ / "a.stl") << "old";
   write_mesh(folder_ / "a.stl", {tetrahedron(0)});

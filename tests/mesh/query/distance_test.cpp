@@ -21,7 +21,7 @@ double brute_force(const TriangleMesh& mesh, const Vec3& p) {
 TEST(SurfaceDistance, IsThatOfTheNearestTriangleOrTheLimit) {
   Random random(23);
   // Away from the origin, single precision rounds coarsely: what the margin is for.
-  for (const Vec3& shift : {Vec3(0, 0, 0), Vec3(100, -200, 50)}) {
+  for (const Vec3& shift : {Vec3(0, 0, 0), Vec3(100, -200, 50), Vec3(5e8, -3.5e8, 5e7)}) {
     const TriangleMesh mesh = moved(upright_torus_mesh(0.75, 0.25, 48, 24), random_rotation(random), shift);
     const SurfaceDistance distance(mesh);
     for (int trial = 0; trial < 300; ++trial) {

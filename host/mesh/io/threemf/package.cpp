@@ -11,6 +11,7 @@
 
 #include "error.hpp"
 #include "mesh/io/text.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core::threemf {
 namespace {
@@ -38,6 +39,7 @@ std::string content(const MeshFile& file, archive* reader, std::uint64_t& left) 
   std::string text;
   std::array<char, 1 << 16> block;
   for (;;) {
+    stop_here();
     const la_ssize_t got = archive_read_data(reader, block.data(), block.size());
     if (got < 0) refuse(file, reader);
     if (got == 0) return text;

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "error.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core::threemf {
 namespace {
@@ -25,6 +26,7 @@ struct Walk {
   void guarded(Call&& call) {
     if (thrown) return;
     try {
+      stop_here();
       visitor.line = std::size_t(XML_GetCurrentLineNumber(parser));
       call();
     } catch (...) {
