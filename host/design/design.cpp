@@ -13,6 +13,7 @@
 #include "fabricate/lay_flat.hpp"
 #include "fabricate/wall.hpp"
 #include "parse.hpp"
+#include "session/find_pose.hpp"
 #include "session/other_axes.hpp"
 
 namespace kreisel::core {
@@ -108,7 +109,10 @@ std::map<std::string, std::string> describe(const DesignSpec& spec) {
   return fields;
 }
 
-Design make_design(Session& session, const DesignSpec& spec, const Control& control) {
+namespace {
+
+/// Where it is infeasible, what would help is left to be found.
+Design make_asked(Session& session, const DesignSpec& spec, const Control& control) {
   Finishing finishing(spec);
   if (spec.mould) require_metal(spec.config.body);
   if (spec.mould && spec.file.empty())
@@ -118,7 +122,8 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
   SolvedRun run(session, config, control);
   require_unit_said(spec.config.body, bounding_box(run.body().mesh).extent().maxCoeff());
   require_printable(run.result, spec.printer_accuracy);
-  run.complete(control);
+  run.solve(control);
+  if (run.result.config.certify > 0) run.certify(control);
   Design design{};
   DesignSpec used = spec;
   used.config = run.result.config;  // with the solver and the wall that were taken
@@ -147,10 +152,7 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
   design.run = std::move(run.result);
   const RunResult& r = design.run;
   design.before = figures_of(r.solid, 1e3 * r.mass_unit_grams * r.solid[S1] / r.density, r, run.problem());
-  if (!design.feasible()) {
-    if (r.config.problem == "spin") design.other_axes = other_axes(session, spec.config, r.axis, control);
-    return design;
-  }
+  if (!design.feasible()) return design;
 
   double volume = 0;
   for (const WrittenMaterial& material : r.verified.materials) {
@@ -162,6 +164,62 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
   design.after.verdict = r.verified.verdict;  // which may say that the file holds no solid
   design.residual = residual_of(design.after, r.config);
   return design;
+}
+
+/// The question as it stands, and what would help where it is infeasible.
+Design make_posed(Session& session, const DesignSpec& spec, const Control& control) {
+  Design design = make_asked(session, spec, control);
+  if (design.feasible()) return design;
+  RunConfig config = spec.config;
+  config.wall.to_corners = true;
+  SolvedRun run(session, config, control);
+  run.result.outcome.termination = Termination::infeasible;
+  run.look_for_remedies(control);
+  design.run.remedies = run.result.remedies;
+  if (design.run.config.problem == "spin")
+    design.other_axes = other_axes(session, spec.config, design.run.axis, control);
+  return design;
+}
+
+/// Nothing of what was left open will do.
+Design make_none(Session& session, const DesignSpec& spec, const FoundPoses& found, const Control& control) {
+  DesignSpec usual = spec;
+  usual.config = in_usual_pose(spec.config);
+  SolvedRun run(session, usual.config, control);
+  Design design{};
+  design.config = describe(spec);
+  design.printer_accuracy = spec.printer_accuracy;
+  design.part.outer = run.body().mesh;
+  run.result.outcome.termination = Termination::infeasible;
+  run.result.outcome.message = "no pose will do";
+  run.result.infeasibility = found.text();
+  run.look_for_remedies(control);
+  design.run = std::move(run.result);
+  const RunResult& r = design.run;
+  design.before = figures_of(r.solid, 1e3 * r.mass_unit_grams * r.solid[S1] / r.density, r, run.problem());
+  return design;
+}
+
+}  // namespace
+
+Design make_design(Session& session, const DesignSpec& spec, const Control& control) {
+  if (!leaves_open(spec.config)) return make_posed(session, spec, control);
+  const FoundPoses found = find_poses(session, spec.config, control);
+  const std::shared_ptr<const Body> body = session.stages(in_usual_pose(spec.config), control).pose;
+  // The search's domain is coarse: the best there may miss by a little on the part's own, the next does not.
+  constexpr std::size_t most_parts = 4;
+  std::optional<Design> made;
+  for (std::size_t i = 0; i < std::min(found.good.size(), most_parts); ++i) {
+    DesignSpec one = spec;
+    one.config = posed(spec.config, found.good[i], *body);
+    Design design = make_asked(session, one, control);
+    design.pose = found.text();
+    const bool does = design.feasible() && design.run.verified.verdict.ok;
+    if (does) return design;
+    if (design.feasible() && !made) made = std::move(design);
+  }
+  if (made) return *made;
+  return make_none(session, spec, found, control);
 }
 
 }  // namespace kreisel::core

@@ -45,6 +45,7 @@ struct Design {
   std::vector<Plane> cuts;    ///< by which it was cut
   std::vector<Drain> drains;  ///< holes into voids
   std::vector<WrittenMould> moulds;
+  std::string pose;        ///< how it was found, where it was left open
   std::string other_axes;  ///< where it cannot spin about the axis that was asked for: about which it can
   std::vector<std::filesystem::path> files;
 

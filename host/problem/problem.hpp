@@ -20,6 +20,7 @@ using kreisel::Filling;
 using kreisel::Goal;
 using kreisel::LinearConstraints;
 using kreisel::Nonlinear;
+using kreisel::Poses;
 using kreisel::Problem;
 using kreisel::Ratio;
 using kreisel::Traits;
@@ -47,6 +48,10 @@ struct ProblemEntry {
   /// Which way the rays of a domain had best run, model coordinates, where the problem leaves that open and
   /// its settings tell; nothing: along the body's own axis. Such rays serve no other question.
   std::function<std::optional<Vec3>(const ProblemSettings& settings, const Body& body)> rays = {};
+  Poses poses = Poses::none;  ///< what `auto` may choose
+  /// The settings that `auto` in one of them stands for, in any order; nothing: `make` takes them as they
+  /// are.
+  std::function<std::vector<ProblemSettings>(const ProblemSettings& settings, const Body& body)> choices = {};
 
   /// A body as this problem poses it.
   [[nodiscard]] BodySpec posed(BodySpec spec) const {

@@ -72,12 +72,63 @@ using Setters = std::map<std::string_view, Setter>;
 using C = RunConfig&;
 using S = std::string_view;
 
+FreePose& free_pose_of(RunConfig& config) { return config.free ? *config.free : config.free.emplace(); }
+
+/// A direction, or how one is to be found. @param rests  by the number of a way of lying, too
+void set_direction(RunConfig& config, std::optional<Vec3>& direction, S key, S value, bool rests) {
+  constexpr S near = "near:", rest = "rest:";
+  const auto begin = [&](std::optional<Vec3> to, std::optional<int> number) {
+    direction.reset();
+    FreePose& free = free_pose_of(config);
+    free.near = std::move(to);
+    free.rest = number;
+  };
+  if (value == "auto") return begin({}, {});
+  if (value.starts_with(near)) {
+    const Vec3 to = vector(key, value.substr(near.size()));
+    if (!to.allFinite() || to.norm() == 0) refuse(key, value, "near: and a direction other than zero");
+    return begin(to, {});
+  }
+  if (rests && value.starts_with(rest)) return begin({}, whole(key, value.substr(rest.size()), 1));
+  if (!parse_vector(value))
+    refuse(key, value, rests ? "x,y,z, auto, near:x,y,z or rest:N" : "x,y,z, auto or near:x,y,z");
+  direction = vector(key, value);
+  config.free.reset();
+}
+
+/// Shapes that are made along the axis: what is joined, what is cut off.
+Setters shape_setters() {
+  return {
+      {"stem", [](C c, S k, S v) { c.body.stem.radius = number(k, v); }},
+      {"tip",
+       [](C c, S k, S v) {
+         const auto parts = split(v, ',');
+         if (parts.size() > 2) refuse(k, v, "a radius, or a radius and a height R,H in mm");
+         c.body.stem.tip_radius = number(k, parts[0]);
+         c.body.stem.tip_height.reset();
+         if (parts.size() == 2) c.body.stem.tip_height = number(k, parts[1]);
+       }},
+      {"flatten",
+       [](C c, S k, S v) {
+         c.flatten = v == "auto";
+         c.body.flatten.reset();
+         if (!c.flatten && !parse<double>(v)) refuse(k, v, "mm, or auto");
+         if (!c.flatten) c.body.flatten = number(k, v);
+       }},
+      {"axis-through",
+       [](C c, S k, S v) {
+         if (v != "lowest" && v != "centre") refuse(k, v, "lowest or centre");
+         free_pose_of(c).through = v == "centre" ? Through::centre : Through::lowest;
+       }},
+  };
+}
+
 /// What the body is, and how it lies.
 Setters body_setters() {
   return {
       {"model", [](C c, S, S v) { c.body.model = v; }},
-      {"axis", [](C c, S k, S v) { c.body.axis = vector(k, v); }},
-      {"up", [](C c, S k, S v) { c.body.up = vector(k, v); }},
+      {"axis", [](C c, S k, S v) { set_direction(c, c.body.axis, k, v, false); }},
+      {"up", [](C c, S k, S v) { set_direction(c, c.body.up, k, v, true); }},
       {"contact", [](C c, S k, S v) { c.body.contact = vector(k, v); }},
       {"unit", [](C c, S, S v) { c.body.unit = find_length_unit(v); }},
       {"weld",
@@ -191,7 +242,8 @@ Setters limit_setters() {
 const Setters& setters() {
   static const Setters all = [] {
     Setters joined;
-    for (Setters group : {body_setters(), question_setters(), kind_setters(), limit_setters()})
+    for (Setters group :
+         {body_setters(), shape_setters(), question_setters(), kind_setters(), limit_setters()})
       joined.merge(group);
     return joined;
   }();
@@ -246,6 +298,28 @@ std::map<std::string, std::string> settings_of(const RunConfig& config, std::str
   return result;
 }
 
+namespace {
+
+/// The pose that is to be found, and what is made along its axis.
+void describe_free(const RunConfig& config, std::map<std::string, std::string>& fields) {
+  const StemSpec& stem = config.body.stem;
+  if (stem.radius) fields["stem"] = fmt::format("{}", *stem.radius);
+  if (stem.tip_radius)
+    fields["tip"] = stem.tip_height ? fmt::format("{},{}", *stem.tip_radius, *stem.tip_height)
+                                    : fmt::format("{}", *stem.tip_radius);
+  if (config.flatten) fields["flatten"] = "auto";
+  if (config.body.flatten) fields["flatten"] = fmt::format("{}", *config.body.flatten);
+  if (!config.free) return;
+  const FreePose& free = *config.free;
+  fields[find_problem(config.problem).upright ? "up" : "axis"] = free.rest
+                                                                     ? fmt::format("rest:{}", *free.rest)
+                                                                 : free.near ? "near:" + field_text::text_of(*free.near)
+                                                                             : std::string("auto");
+  if (free.through) fields["axis-through"] = *free.through == Through::centre ? "centre" : "lowest";
+}
+
+}  // namespace
+
 std::map<std::string, std::string> describe(const RunConfig& config) {
   std::map<std::string, std::string> fields = config.settings;
   fields["model"] = config.body.model;
@@ -266,6 +340,7 @@ std::map<std::string, std::string> describe(const RunConfig& config) {
   if (config.body.unit) fields["unit"] = config.body.unit->name;
   if (config.body.weld) fields["weld"] = fmt::format("{}", *config.body.weld);
   if (config.body.size) fields["size"] = fmt::format("{}", *config.body.size);
+  describe_free(config, fields);
   if (config.body.axle.radius) fields["axle"] = fmt::format("{}", *config.body.axle.radius);
   if (config.body.axle.slot) fields["slot"] = fmt::format("{}", *config.body.axle.slot);
   if (config.body.axle.depth) fields["axle-depth"] = fmt::format("{}", *config.body.axle.depth);

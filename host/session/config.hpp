@@ -32,6 +32,15 @@ struct MapConfig {
   std::vector<std::string> drafts;  ///< of `float`: a case each, as `problem.draft` takes them
 };
 
+/// A pose that is to be found: of the problem's own direction, axis or up. [docs/poses.md]
+struct FreePose {
+  std::optional<Vec3> near;        ///< the best within 30 degrees of it; nothing: of all
+  std::optional<int> rest;         ///< the N-th most probable way of lying, from 1
+  std::optional<Through> through;  ///< of an axis; nothing: lowest, and where none will do centre on a stem
+
+  bool operator==(const FreePose&) const = default;
+};
+
 /// What a run may take, as a process of its own. 0: as much as there is.
 struct Limits {
   double gigabytes = 0;  ///< 1e9 bytes of memory in use; what is asked for and never touched does not count
@@ -43,6 +52,8 @@ struct Limits {
 /// One run. Defaults are those of `bench --formulation rayrep`.
 struct RunConfig {
   BodySpec body;
+  std::optional<FreePose> free;  ///< in place of the body's axis, up and contact
+  bool flatten = false;          ///< by as little as makes a base
   std::string problem = "spin", formulation = "rayrep";
   std::string solver;  ///< empty: the first that works with the formulation, see solver_of()
   std::string domain;  ///< columns or exact; empty: the formulation's own, see domain_of()
@@ -64,9 +75,11 @@ struct RunConfig {
 /// Sets one field from text, as the command line and TOML files name them: model, problem, formulation,
 /// solver, domain, resolution (N or NXxNYxNZ), level (of an octree: 2^level cells), wall, wall-to (centres or
 /// corners of voxels), rounding, part,
-/// axis, contact, up ("x,y,z"), unit, size, density, interior-density, void-density, axle, slot, axle-depth
-/// (mm), fineness, device, precision, repeat, budget, memory (GB), seconds, certify, and GROUP.NAME for
-/// settings. Any of axes, through and drafts ("20%,40%") makes the run a map.
+/// axis, contact, up ("x,y,z"; axis and up also auto or near:x,y,z, up also rest:N), axis-through (lowest or
+/// centre, of an axis that is to be found), stem, tip (mm; tip R,H), flatten (mm or auto), unit, size,
+/// density, interior-density, void-density, axle, slot, axle-depth (mm), fineness, device, precision, repeat,
+/// budget, memory (GB), seconds, certify, and GROUP.NAME for settings. Any of axes, through and drafts
+/// ("20%,40%") makes the run a map.
 ///
 /// @throws InputError  unknown key or unfit value; names both and what was expected
 void set_field(RunConfig& config, std::string_view key, std::string_view value);

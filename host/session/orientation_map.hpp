@@ -8,6 +8,7 @@
 
 #include "session/config.hpp"
 #include "session/session.hpp"
+#include "session/sweep.hpp"
 #include "solve/solver.hpp"
 
 namespace kreisel::core {
@@ -24,15 +25,6 @@ struct MapSpec {
 /// drafts.
 /// @throws InputError  it asks for a map by another formulation than quadric
 [[nodiscard]] MapSpec map_spec(const RunConfig& config);
-
-/// The answer for one axis and case.
-struct MapAnswer {
-  enum Status { undecided, feasible, infeasible } status = undecided;
-  double objective = 0;  ///< f at the optimum; NaN when not feasible
-  double miss =
-      0;  ///< distance of what can be attained from what is asked (distance_to_rows.hpp); 0 if feasible
-  Verdict verdict;  ///< of the optimum's own moments, when feasible; not of a written mesh
-};
 
 /// The map. Answers of axis a and case c stand at a * cases.size() + c.
 struct OrientationMap {
@@ -62,8 +54,8 @@ struct OrientationMap {
   struct Place {
     std::size_t axis, at_case;
   };
-  /// The best of those whose verdict is good, else of the feasible ones; nothing when none is. To spin: of
-  /// least objective; to float: of largest metacentric height.
+  /// The best of those whose verdict is good, else of the feasible ones, by Problem::pose_loss(): to spin, of
+  /// least objective; to float, of largest metacentric height. Nothing when none is.
   [[nodiscard]] std::optional<Place> best() const;
 
   /// The line that makes, writes and verifies the part of one place: `bench --axis ... --contact ...`.
@@ -73,7 +65,7 @@ struct OrientationMap {
 /// Solves every axis and case over the one domain, each by itself: the answers depend on no order.
 ///
 /// On Ctrl-C it ends early and keeps what is done, spread evenly over the axes.
-/// @throws InputError   bad configuration or mesh, a problem that is neither spin nor float, no axes
+/// @throws InputError   bad configuration or mesh, a problem that not any direction will do for, no axes
 /// @throws Interrupted  before the sweep began
 [[nodiscard]] OrientationMap map_orientations(Session& session, const MapSpec& spec,
                                               const Control& control = {});

@@ -28,9 +28,9 @@ struct Purpose {
 };
 
 const Purpose purposes[] = {
-    {"spin", "a spinning top: it spins about the axis", {"axis", "contact"}},
+    {"spin", "a spinning top: it spins about the axis", {"axis", "axis-through", "contact", "stem", "tip"}},
     {"yoyo", "a yo-yo: it spins about its axle", {"axis", "contact", "axle", "slot", "axle-depth"}},
-    {"stand", "it stands on what is lowest", {"up", "problem.target"}},
+    {"stand", "it stands on what is lowest", {"up", "flatten", "problem.target"}},
     {"float", "it floats upright at a given draft", {"up", "problem.draft", "problem.fluid_density"}},
 };
 
@@ -80,6 +80,7 @@ int make(Parsed& parsed, const std::string& problem) {
   config.formulation = "quadric";
   config.grid.resolution = 128;
   config.wall = kreisel::core::parse_wall("2%");
+  if (problem == "stand") config.settings["problem.target"] = "max-tilt";
   parsed.run.apply(config);
   const DesignOutputs& outputs = parsed.outputs;
   outputs.require_writable();

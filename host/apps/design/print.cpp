@@ -104,6 +104,7 @@ void print_design(const Design& d) {
                r.config.problem == "yoyo" ? "spin" : r.config.problem);
     return;
   }
+  if (!d.pose.empty()) fmt::print("  pose       {}\n", d.pose);
   print_table(d);
   fmt::print("  misses     {}\n", residual_text(d.residual));
   if (std::isfinite(d.wall))
