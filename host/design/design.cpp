@@ -14,7 +14,7 @@
 #include "fabricate/wall.hpp"
 #include "parse.hpp"
 #include "session/find_pose.hpp"
-#include "session/other_axes.hpp"
+#include "session/other_poses.hpp"
 
 namespace kreisel::core {
 
@@ -166,19 +166,32 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
   return design;
 }
 
-/// The question as it stands, and what would help where it is infeasible.
+/// The question as it stands, and what would help where no interior does it.
 Design make_posed(Session& session, const DesignSpec& spec, const Control& control) {
   Design design = make_asked(session, spec, control);
-  if (design.feasible()) return design;
-  RunConfig config = spec.config;
-  config.wall.to_corners = true;
-  SolvedRun run(session, config, control);
-  run.result.outcome.termination = Termination::infeasible;
-  run.look_for_remedies(control);
-  design.run.remedies = run.result.remedies;
-  if (design.run.config.problem == "spin")
-    design.other_axes = other_axes(session, spec.config, design.run.axis, control);
+  if (design.feasible() && design.run.verified.verdict.ok) return design;
+  if (!design.feasible()) {
+    RunConfig config = spec.config;
+    config.wall.to_corners = true;
+    SolvedRun run(session, config, control);
+    run.result.outcome.termination = Termination::infeasible;
+    run.look_for_remedies(control);
+    design.run.remedies = run.result.remedies;
+  }
+  design.other_axes = other_poses(session, spec.config, design.run.axis, control);
   return design;
+}
+
+/// Whether half the wall lets some pose do.
+std::string thinner_wall(Session& session, const DesignSpec& spec, const Control& control) {
+  RunConfig thin = spec.config;
+  if (thin.wall.unit == Wall::cells)
+    return "another --wall, more cells, or a denser interior (--interior-density)";
+  thin.wall.value /= 2;
+  control.tell("try a thinner wall");
+  if (find_poses(session, thin, control).good.empty())
+    return "nothing that was tried: all poses, with half the wall, too";
+  return fmt::format("--wall {}, with which some pose will do", to_string(thin.wall));
 }
 
 /// Nothing of what was left open will do.
@@ -193,7 +206,7 @@ Design make_none(Session& session, const DesignSpec& spec, const FoundPoses& fou
   run.result.outcome.termination = Termination::infeasible;
   run.result.outcome.message = "no pose will do";
   run.result.infeasibility = found.text();
-  run.look_for_remedies(control);
+  run.result.remedies = thinner_wall(session, spec, control);
   design.run = std::move(run.result);
   const RunResult& r = design.run;
   design.before = figures_of(r.solid, 1e3 * r.mass_unit_grams * r.solid[S1] / r.density, r, run.problem());
@@ -204,22 +217,26 @@ Design make_none(Session& session, const DesignSpec& spec, const FoundPoses& fou
 
 Design make_design(Session& session, const DesignSpec& spec, const Control& control) {
   if (!leaves_open(spec.config)) return make_posed(session, spec, control);
-  const FoundPoses found = find_poses(session, spec.config, control);
-  const std::shared_ptr<const Body> body = session.stages(in_usual_pose(spec.config), control).pose;
   // The search's domain is coarse: the best there may miss by a little on the part's own, the next does not.
   constexpr std::size_t most_parts = 4;
   std::optional<Design> made;
-  for (std::size_t i = 0; i < std::min(found.good.size(), most_parts); ++i) {
-    DesignSpec one = spec;
-    one.config = posed(spec.config, found.good[i], *body);
-    Design design = make_asked(session, one, control);
-    design.pose = found.text();
-    const bool does = design.feasible() && design.run.verified.verdict.ok;
-    if (does) return design;
-    if (design.feasible() && !made) made = std::move(design);
+  std::optional<RunConfig> open = spec.config;
+  FoundPoses all;
+  while (open) {
+    FoundPoses found = find_poses(session, *open, control);
+    std::ranges::move(found.tried, std::back_inserter(all.tried));
+    for (std::size_t i = 0; i < std::min(found.good.size(), most_parts); ++i) {
+      DesignSpec one = spec;
+      one.config = posed(spec.config, found.good[i]);
+      Design design = make_asked(session, one, control);
+      design.pose = all.text();
+      if (design.feasible() && design.run.verified.verdict.ok) return design;
+      if (design.feasible() && !made) made = std::move(design);
+    }
+    open = std::move(found.onward);
   }
   if (made) return *made;
-  return make_none(session, spec, found, control);
+  return make_none(session, spec, all, control);
 }
 
 }  // namespace kreisel::core

@@ -32,9 +32,8 @@ Residual residual_of(const Figures& figures, const RunConfig& config) {
     const bool over_centre = target == config.settings.end() || target->second == "centre";
     return {over_centre ? value("off_centroid_mm") : std::max(0.0, -value("inside_mm")), none, none};
   }
-  if (config.problem == "balance") return {value("offset_mm"), none, none};
-  if (config.problem == "float") {
-    const double excess = value("excess_mass");  // share of the displaced mass
+  if (std::isfinite(value("offset_mm"))) {
+    const double excess = value("excess_mass");  // share of the displaced mass, where there is one
     return {value("offset_mm"), none, figures.mass * excess / (1 + excess)};
   }
   double off = value("off_axis_mm");

@@ -139,7 +139,7 @@ std::vector<ProblemSettings> drafts_of(const ProblemSettings& settings, const Bo
   if (draft == settings.end() || draft->second != "auto") return {settings};
   std::vector<ProblemSettings> all;
   // Shares of the height: what displaces nothing like what the body can weigh is infeasible at once.
-  for (const int percent : {20, 30, 40, 50, 60, 70, 80, 90}) {
+  for (const int percent : {25, 40, 50, 60, 70, 85}) {
     all.push_back(settings);
     all.back()["draft"] = fmt::format("{}%", percent);
   }

@@ -54,7 +54,7 @@ class Float final : public Problem {
 /// @throws InputError  another setting, a draft outside the body, or a mass that displaces more than the body
 std::unique_ptr<Problem> make_float(const ProblemSettings& settings, const Body& body);
 
-/// Settings with draft = auto: one with each of the drafts to try, every tenth of the height from 20 to 90 %.
+/// Settings with draft = auto: one with each of the drafts to try, six from 25 to 85 % of the height.
 /// Others as they are.
 [[nodiscard]] std::vector<ProblemSettings> drafts_of(const ProblemSettings& settings, const Body&);
 

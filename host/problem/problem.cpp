@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "problem/balance.hpp"
+#include "problem/die.hpp"
 #include "problem/float.hpp"
+#include "problem/hang.hpp"
 #include "problem/ray_direction.hpp"
 #include "problem/spin.hpp"
 #include "problem/stand.hpp"
@@ -90,6 +92,25 @@ std::vector<ProblemEntry> ours() {
        {},
        false,
        rays_of_balance},
+      {"hang",
+       "hung from a point, it hangs as it lies: centre of mass straight below, with as much material as "
+       "possible",
+       make_hang,
+       std::nullopt,
+       true,
+       {"point", "line"},
+       {},
+       false,
+       rays_of_hang},
+      {"die",
+       "a fair die: its faces come up as alike as its shape allows, with as much material as possible",
+       make_die,
+       std::nullopt,
+       true,
+       {},
+       {},
+       false,
+       rays_of_die},
   };
 }
 

@@ -311,10 +311,10 @@ void describe_free(const RunConfig& config, std::map<std::string, std::string>& 
   if (config.body.flatten) fields["flatten"] = fmt::format("{}", *config.body.flatten);
   if (!config.free) return;
   const FreePose& free = *config.free;
-  fields[find_problem(config.problem).upright ? "up" : "axis"] = free.rest
-                                                                     ? fmt::format("rest:{}", *free.rest)
-                                                                 : free.near ? "near:" + field_text::text_of(*free.near)
-                                                                             : std::string("auto");
+  fields[find_problem(config.problem).upright ? "up" : "axis"] =
+      free.rest   ? fmt::format("rest:{}", *free.rest)
+      : free.near ? "near:" + field_text::text_of(*free.near)
+                  : std::string("auto");
   if (free.through) fields["axis-through"] = *free.through == Through::centre ? "centre" : "lowest";
 }
 

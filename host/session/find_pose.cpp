@@ -66,7 +66,12 @@ class Search {
     const std::vector<Through> ways = ways_through();
     for (const Through through : ways) {
       look_through(through);
-      if (!found_.good.empty()) break;
+      if (found_.good.empty()) continue;
+      if (through != ways.back()) {
+        found_.onward = config_;
+        found_.onward->free->through = ways.back();
+      }
+      break;
     }
     return std::move(found_);
   }
@@ -74,7 +79,7 @@ class Search {
  private:
   [[nodiscard]] bool has_axis() const { return !asked_.upright && !asked_.centred; }
   [[nodiscard]] std::vector<Through> ways_through() const {
-    if (!has_axis()) return {Through::lowest};
+    if (!has_axis() || !config_.free) return {Through::lowest};
     if (config_.free && config_.free->through) return {*config_.free->through};
     return {Through::lowest, Through::centre};
   }
@@ -87,25 +92,30 @@ class Search {
                                               : "axes through the centre of mass, on a stem";
     count.spacing = directions.spacing;
     std::vector<Tried> all;
-    for (const Vec3& direction : directions.list) try_pose(direction, through, count, all);
+    for (const Vec3& direction : directions.list) try_pose(direction, choices_, through, count, all);
     if (directions.spacing > 0) refine(directions, through, count, all);
-    hand_out(std::move(all), through);
+    count.unjoined = hand_out(std::move(all), through);
     found_.tried.push_back(std::move(count));
   }
 
-  void try_pose(const Vec3& direction, Through through, PosesTried& count, std::vector<Tried>& all) {
-    const Vec3 contact = asked_.centred ? stages_.body->frame.to_model(centre_of_mass(stages_.body->solid))
-                                        : contact_of(*stages_.body, direction, through);
+  void try_pose(const Vec3& direction, const std::vector<ProblemSettings>& choices, Through through,
+                PosesTried& count, std::vector<Tried>& all) {
+    const Vec3 contact = !config_.free    ? stages_.pose->contact
+                         : asked_.centred ? stages_.body->frame.to_model(centre_of_mass(stages_.body->solid))
+                                          : contact_of(*stages_.body, direction, through);
     sweep_.turn(direction, contact);
     bool good = false, possible = false, decided = true;
-    for (const ProblemSettings& settings : choices_) {
+    for (const ProblemSettings& settings : choices) {
       control_.stop_if_asked();
       const auto answer = sweep_.answer(settings);
       if (!answer) throw Interrupted();
-      Tried tried{{direction.normalized(), {}, through, settings, config_.body.flatten, answer->loss},
-                  false,
-                  infinite};
-      if (has_axis()) tried.candidate.contact = contact;
+      Tried tried;
+      tried.candidate.direction = direction.normalized();
+      tried.candidate.through = through;
+      tried.candidate.settings = settings;
+      tried.candidate.flatten = config_.body.flatten;
+      tried.candidate.loss = answer->loss;
+      if (has_axis() && config_.free) tried.candidate.contact = contact;
       tried.ok = answer->verdict.ok;
       if (answer->status == MapAnswer::feasible)
         tried.worth = answer->loss;
@@ -124,18 +134,21 @@ class Search {
 
   /// From the best few, in steps that halve: rings of six around what is best so far.
   void refine(const PoseDirections& directions, Through through, PosesTried& count, std::vector<Tried>& all) {
-    constexpr std::size_t starts = 5;
+    const bool choosing = choices_.size() > 1;  // few directions and many settings: each step costs more
+    const std::size_t starts = choosing ? 3 : 5;
+    const double finest = directions.spacing / (choosing ? 8 : 16);
     std::vector<Tried> begin = spread(all, 2 * directions.spacing, starts);
     for (const Tried& start : begin) {
       Tried best = start;
-      for (double step = directions.spacing / 2; step > 0.4; step /= 2) {
+      for (double step = directions.spacing / 2; step > finest; step /= 2) {
         const std::size_t first = all.size();
         const Eigen::Matrix3d axes = axes_along(best.candidate.direction);
         for (int k = 0; k < 6; ++k) {
           const double turn = std::numbers::pi / 3 * k, angle = step * std::numbers::pi / 180;
           const Vec3 across = std::cos(turn) * axes.row(0) + std::sin(turn) * axes.row(1);
           const Vec3 direction = std::cos(angle) * best.candidate.direction + std::sin(angle) * across;
-          if (directions.holds(direction)) try_pose(direction, through, count, all);
+          if (directions.holds(direction))
+            try_pose(direction, {best.candidate.settings}, through, count, all);
         }
         for (std::size_t i = first; i < all.size(); ++i)
           if (all[i].worth < best.worth) best = all[i];
@@ -159,27 +172,41 @@ class Search {
     return kept;
   }
 
-  void hand_out(std::vector<Tried> all, Through through) {
+  /// @return  how many take no stem
+  std::size_t hand_out(std::vector<Tried> all, Through through) {
+    std::size_t unjoined = 0;
     // A way of lying that is asked for by its number is tried as it is.
     const bool as_it_is = config_.free && config_.free->rest;
     if (!as_it_is) std::erase_if(all, [](const Tried& tried) { return !tried.ok; });
     const bool stemmed = through == Through::centre || config_.body.stem.wanted();
     for (Tried& tried : spread(std::move(all), apart, most)) {
-      if (has_axis() && stemmed && !takes_stem(tried.candidate)) continue;
-      found_.good.push_back(std::move(tried.candidate));
+      if (has_axis() && config_.free && stemmed && !find_stem(tried.candidate))
+        ++unjoined;
+      else
+        found_.good.push_back(std::move(tried.candidate));
     }
+    return unjoined;
   }
 
-  /// Whether the peg can be joined to the body there.
-  [[nodiscard]] bool takes_stem(const PoseCandidate& candidate) const {
-    const BodySpec spec = posed(config_, candidate, *stages_.pose).body;
+  /// The thickest peg that can be joined to the body there; the one asked for, where one is. False: none.
+  bool find_stem(PoseCandidate& candidate) const {
     const Frame axis{axis_to_z(candidate.direction), *candidate.contact, 1};
-    try {
-      (void)with_stem(to_body(axis, stages_.pose->mesh), stem_of(spec.stem).value());
-      return true;
-    } catch (const InputError&) {
-      return false;
+    const TriangleMesh laid = to_body(axis, stages_.pose->mesh);
+    const auto joins = [&](const StemSpec& spec) {
+      try {
+        (void)with_stem(laid, stem_of(spec).value());
+        return true;
+      } catch (const InputError&) {
+        return false;
+      }
+    };
+    if (config_.body.stem.wanted()) return joins(config_.body.stem);
+    // Slender, and yet of several of a printer's lines.
+    for (const double share : {0.03, 0.02, 0.013}) {
+      candidate.stem = share * bounding_box(stages_.pose->mesh).extent().maxCoeff();
+      if (joins({.radius = candidate.stem})) return true;
     }
+    return false;
   }
 
   const RunConfig& config_;
@@ -202,6 +229,10 @@ std::string PosesTried::text() const {
     words += fmt::format(
         "; for {} no interior meets what is asked, each with a quadric that separates the two", infeasible);
   if (fail > 0) words += fmt::format("; {} can be balanced, but the best interior does not do it", fail);
+  if (unjoined > 0)
+    words += fmt::format(
+        "; at {} of them no stem can be joined to the body (--through lowest, or a thinner --stem)",
+        unjoined);
   if (undecided > 0) words += fmt::format("; {} are undecided", undecided);
   return words;
 }
@@ -223,7 +254,7 @@ RunConfig in_usual_pose(RunConfig config) {
   return config;
 }
 
-RunConfig posed(const RunConfig& config, const PoseCandidate& candidate, const Body& body) {
+RunConfig posed(const RunConfig& config, const PoseCandidate& candidate) {
   const ProblemEntry& asked = find_problem(config.problem);
   RunConfig question = in_usual_pose(config);
   for (const auto& [name, value] : candidate.settings) question.settings["problem." + name] = value;
@@ -232,9 +263,7 @@ RunConfig posed(const RunConfig& config, const PoseCandidate& candidate, const B
   (asked.upright ? question.body.up : question.body.axis) = candidate.direction;
   (asked.upright ? question.body.axis : question.body.up).reset();
   question.body.contact = candidate.contact;
-  // Slender, and yet of several of a printer's lines.
-  if (candidate.through == Through::centre && !question.body.stem.wanted())
-    question.body.stem.radius = 0.03 * bounding_box(body.mesh).extent().maxCoeff();
+  if (candidate.stem) question.body.stem.radius = candidate.stem;
   return question;
 }
 

@@ -16,6 +16,7 @@ struct PoseCandidate {
   Through through = Through::lowest;
   ProblemSettings settings;       ///< of the problem
   std::optional<double> flatten;  ///< mm
+  std::optional<double> stem;     ///< radius of one that nobody asked for, mm
   double loss = 0;                ///< Problem::pose_loss() on the coarse domain of the search
 };
 
@@ -24,15 +25,18 @@ struct PosesTried {
   std::string what;    ///< "axes through the lowest point"
   double spacing = 0;  ///< degrees between neighbours; 0: all that there are
   std::size_t tried = 0, infeasible = 0, undecided = 0;
-  std::size_t good = 0;  ///< whose optimum does what was asked
+  std::size_t good = 0;      ///< whose optimum does what was asked
+  std::size_t unjoined = 0;  ///< of the best of those: where no stem can be joined
 
   [[nodiscard]] std::string text() const;
 };
 
 /// The poses that are left open, tried over one coarse domain.
 struct FoundPoses {
-  std::vector<PoseCandidate> good;  ///< whose optimum there does what was asked, the best first
-  std::vector<PosesTried> tried;
+  std::vector<PoseCandidate> good = {};  ///< whose optimum there does what was asked, the best first
+  std::vector<PosesTried> tried = {};
+  /// What is still to be tried where none of these makes a part that does it.
+  std::optional<RunConfig> onward = {};
   /// A sentence on how many were tried, how far apart, and why none of the others will do.
   [[nodiscard]] std::string text() const;
 };
@@ -48,8 +52,8 @@ struct FoundPoses {
 /// @throws Interrupted
 [[nodiscard]] FoundPoses find_poses(Session& session, const RunConfig& config, const Control& control);
 
-/// The question in that pose. @param body  in whatever pose
-[[nodiscard]] RunConfig posed(const RunConfig& config, const PoseCandidate& candidate, const Body& body);
+/// The question in that pose.
+[[nodiscard]] RunConfig posed(const RunConfig& config, const PoseCandidate& candidate);
 
 /// The question as it is where nothing is found: in the body's usual pose, settings that are `auto` by
 /// default.

@@ -65,13 +65,13 @@ PoseDirections directions_of(const RunConfig& config, const ProblemEntry& asked,
     directions.list = ways_to_lie(body, 80);
   } else {
     // Where each is tried with several settings, fewer directions: they differ less than the settings do.
-    const int lattice = (choices > 1 ? 120 : 600) * (directions.near ? 8 : 1);
+    const int lattice = (choices > 1 ? 60 : 600) * (directions.near ? 8 : 1);
     directions.spacing = degrees(std::sqrt(4 * std::numbers::pi / lattice));
     const PrincipalAxes principal(inertia_about_centre(body.solid));
     for (int k = 0; k < 3; ++k)
       for (const double sign : {1.0, -1.0})
         directions.list.push_back(sign * (body.frame.rotation.transpose() * principal.axes.col(k)));
-    std::ranges::copy(ways_to_lie(body, choices > 1 ? 10 : 30), std::back_inserter(directions.list));
+    std::ranges::copy(ways_to_lie(body, choices > 1 ? 6 : 30), std::back_inserter(directions.list));
     std::ranges::copy(sphere_directions(lattice), std::back_inserter(directions.list));
   }
   if (directions.near) directions.list.insert(directions.list.begin(), *directions.near);

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "error.hpp"
 #include "problem/turned.hpp"
 #include "stopwatch.hpp"
 
@@ -167,6 +168,9 @@ Stages Session::stages(const RunConfig& question, const Control& control, Along 
   made_.clear();
   // What needs no work is checked first, so that a typing error costs no time.
   const ProblemEntry& asked = find_problem(question.problem);
+  if (question.free || question.flatten)
+    throw InputError(
+        "a pose that is to be found (auto, near or rest); expected a direction here, three numbers x,y,z");
   (void)find_formulation(question.formulation);
   (void)kreisel::core::domain_of(question);
   Stages stages;

@@ -15,8 +15,8 @@ struct MapAnswer {
   double objective = 0;  ///< f at the optimum; NaN when not feasible
   double loss = 0;       ///< Problem::pose_loss() there; NaN when not feasible
   double miss = 0;       ///< distance of what can be attained from what is asked (distance_to_rows.hpp); 0 if
-                    ///< feasible, NaN where rows are open to one side
-  Verdict verdict;  ///< of the optimum's own moments, when feasible; not of a written mesh
+                         ///< feasible, NaN where rows are open to one side
+  Verdict verdict;       ///< of the optimum's own moments, when feasible; not of a written mesh
 };
 
 /// Poses a problem by turning it: the domain is never touched again.

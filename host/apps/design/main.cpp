@@ -31,6 +31,9 @@ const Purpose purposes[] = {
     {"spin", "a spinning top: it spins about the axis", {"axis", "axis-through", "contact", "stem", "tip"}},
     {"yoyo", "a yo-yo: it spins about its axle", {"axis", "contact", "axle", "slot", "axle-depth"}},
     {"stand", "it stands on what is lowest", {"up", "flatten", "problem.target"}},
+    {"balance", "its centre of mass is at a point, or on a line", {"up", "problem.point", "problem.line"}},
+    {"hang", "hung from a point it keeps its pose", {"problem.point", "problem.line"}},
+    {"die", "a fair die: its faces come up alike", {}},
     {"float", "it floats upright at a given draft", {"up", "problem.draft", "problem.fluid_density"}},
 };
 
@@ -46,7 +49,7 @@ void add_options(CLI::App& app, Parsed& parsed, const Purpose& purpose) {
   RunOptions& run = parsed.run;
   run.add(app, {"model"});
   parsed.outputs.add(app, "the part");
-  run.add(app, purpose.fields);
+  if (purpose.fields.size() > 0) run.add(app, purpose.fields);  // none would be all
   run.add(app, "--wall", "wall", "least wall: mm, or 2% (of the longest side, the default), or 1.5h (cells)");
   run.add(app, {"unit", "weld", "size", "density", "interior-density", "void-density", "fineness", "device"});
   run.add(app, "--resolution", "resolution", "cells along the longest side; default 128");

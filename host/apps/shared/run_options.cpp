@@ -58,8 +58,9 @@ constexpr FieldOption fields[] = {
     {"lower", "problem.lower", "top: mass, height or none, beside the inertia ratio; default mass"},
     {"draft", "problem.draft", "float: 60% of the height, mm, grams (40g), solid, or auto; default 60%"},
     {"fluid-density", "problem.fluid_density", "float: g/cm^3; default 1"},
-    {"point", "problem.point", "balance: where the centre of mass is to be, x,y,z in mm"},
-    {"line", "problem.line", "balance: direction of a line through that point"},
+    {"point", "problem.point",
+     "balance: where the centre of mass is to be, x,y,z in mm; hang: from where, default the highest point"},
+    {"line", "problem.line", "balance: direction of a line through that point; hang: which way is up"},
 };
 
 }  // namespace
