@@ -120,7 +120,8 @@ void add_questions(py::module_& m) {
              return question_of(problem, fields);
            }),
            py::arg("problem") = "spin",
-           "Fields: problem, formulation, solver, domain, settings, axis, up, contact, size, axle, slot, "
+           "Fields: problem, formulation, solver, domain, settings, axis, up, contact, find, stem, tip, "
+           "tip_height, flatten, size, axle, slot, "
            "axle_depth, density, interior_density, void_density, wall, cells, certify.")
       .def(
           "replace", [](const Question& q, const py::kwargs& fields) { return replaced(q, fields); },

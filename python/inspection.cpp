@@ -19,6 +19,12 @@ void add_inspections(py::module_& m) {
       .def_readonly("genus", &ShellReport::genus, "Where it is closed.")
       .def_readonly("volume", &ShellReport::volume, "Units of the file; negative: inside out.")
       .def_readonly("depth", &ShellReport::depth, "How many shells are around it.");
+  py::class_<RestReport>(m, "Rest", "A stable way of lying.")
+      .def_readonly("up", &RestReport::up)
+      .def_readonly("probability", &RestReport::probability,
+                    "That it ends so, dropped anyhow without a bounce.")
+      .def_readonly("tilt_degrees", &RestReport::tilt_degrees, "By which it topples.")
+      .def_readonly("area", &RestReport::area, "Of what carries it, mm^2.");
   py::class_<SolidReport>(m, "Solid", "A solid at rest in model coordinates: mm, g.")
       .def_readonly("extent", &SolidReport::extent)
       .def_readonly("centre", &SolidReport::centre, "Of mass.")
@@ -26,6 +32,7 @@ void add_inspections(py::module_& m) {
       .def_readonly("mass", &SolidReport::mass)
       .def_readonly("principal", &SolidReport::principal, "Moments of inertia, g mm^2, ascending.")
       .def_readonly("axes", &SolidReport::axes, "(3, 3), a column each.")
+      .def_readonly("rests", &SolidReport::rests, "Stable ways of lying, the most probable first.")
       .def_readonly("verdicts", &SolidReport::verdicts, "What each problem says of it as it is.");
   py::class_<Inspection>(m, "Inspection", "Everything about a mesh.")
       .def_readonly("format", &Inspection::format)

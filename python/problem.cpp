@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <kreisel/problem.hpp>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -126,6 +127,9 @@ class ForeignProblem final : public Problem {
   }
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
   [[nodiscard]] const Nonlinear* nonlinear() const override { return nonlinear_.get(); }
+  [[nodiscard]] double pose_loss(const Moments& s) const override {
+    return object_.call<double>("pose_loss", "a number", s);
+  }
   [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override {
     const auto [ok, text] =
         object_.call<std::pair<bool, std::string>>("verify", "(ok, a sentence)", s, length_mm);
@@ -155,7 +159,11 @@ void add_problems(py::module_& m) {
   m.def(
       "add_problem",
       [](const std::string& name, const py::function& make, const std::string& summary, bool upright,
-         bool centred) {
+         bool centred, const std::string& poses) {
+        const std::map<std::string, Poses> kinds = {
+            {"none", Poses::none}, {"any", Poses::any}, {"rest", Poses::rest}};
+        if (!kinds.contains(poses))
+          throw InputError("add_problem: poses = '" + poses + "'; expected none, any or rest");
         // Kept for good: the registry outlives the interpreter, which must not be asked to let go of it then.
         const py::handle kept = make.inc_ref();
         add_problem({name, summary,
@@ -164,15 +172,17 @@ void add_problems(py::module_& m) {
                        const py::gil_scoped_acquire held;
                        return std::make_unique<ForeignProblem>(kept(settings, copied(body)), name);
                      },
-                     upright, centred});
+                     upright, centred, kinds.at(poses)});
       },
       py::arg("name"), py::arg("make"), py::kw_only(), py::arg("summary") = "", py::arg("upright") = false,
-      py::arg("centred") = false,
+      py::arg("centred") = false, py::arg("poses") = "none",
       "Makes a problem known by its name. make(settings, body) returns an object with the methods of "
       "Problem; "
       "settings are those of `problem.NAME`, as text; body has vertices, faces, rotation, origin, length_mm, "
       "solid "
-      "(moments in the body frame) and density. Before the first session that asks for it.");
+      "(moments in the body frame) and density. poses: what `find` may choose, none, any direction, or those "
+      "in which "
+      "the body comes to rest. Before the first session that asks for it.");
 }
 
 }  // namespace kreisel::python

@@ -74,6 +74,14 @@ const std::map<std::string, Setter>& setters() {
        [](Question& q, H v) {
          q.pose.contact = value_of<std::optional<Vec3>>("contact", v, "three numbers, mm");
        }},
+      {"find",
+       [](Question& q, H v) {
+         q.pose.find = value_of<std::string>("find", v, "text: auto, near:x,y,z or rest:N");
+       }},
+      {"stem", [](Question& q, H v) { q.pose.stem = value_of<Optional>("stem", v, "mm"); }},
+      {"tip", [](Question& q, H v) { q.pose.tip = value_of<Optional>("tip", v, "mm"); }},
+      {"tip_height", [](Question& q, H v) { q.pose.tip_height = value_of<Optional>("tip_height", v, "mm"); }},
+      {"flatten", [](Question& q, H v) { q.pose.flatten = value_of<Optional>("flatten", v, "mm"); }},
       {"size", [](Question& q, H v) { q.pose.size = value_of<Optional>("size", v, "mm"); }},
       {"axle", [](Question& q, H v) { q.pose.axle = value_of<Optional>("axle", v, "mm"); }},
       {"slot", [](Question& q, H v) { q.pose.slot = value_of<Optional>("slot", v, "mm"); }},

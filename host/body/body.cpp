@@ -10,6 +10,7 @@
 #include "body/source.hpp"
 #include "error.hpp"
 #include "geometry/moved.hpp"
+#include "mesh/make/cut_plane.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -47,6 +48,10 @@ void require_valid(const BodySpec& spec) {
         "void density {} g/cm^3 in an interior of {}; expected another than it: there is nothing to design",
         spec.void_density, interior));
   (void)axle_of(spec.axle);
+  if (stem_of(spec.stem) && (spec.stands_upright || spec.centred))
+    throw InputError("a stem or a tip of what does not spin on a point; expected problem spin or top");
+  if (spec.flatten && (!(*spec.flatten > 0) || !std::isfinite(*spec.flatten)))
+    throw InputError(fmt::format("--flatten {} mm; expected > 0", *spec.flatten));
   if (spec.axle.radius && !spec.centred)
     throw InputError(fmt::format("axle {} mm; expected problem yoyo, others have none", *spec.axle.radius));
   if (spec.size && (!(*spec.size > 0) || !std::isfinite(*spec.size)))
@@ -85,6 +90,23 @@ void lay(Body& body, const TriangleMesh& mesh, const Vec3& axis, const Vec3& con
 /// Moments in one frame as they are in another of the same length.
 Moments moved_into(const Frame& to, const Moments& s, const Frame& from) {
   return transformed(s, to.rotation * from.rotation.transpose(), to.to_body(from.origin));
+/// The mesh without what is lower than `depth` above its lowest point. @throws InputError  that is all of it
+TriangleMesh flattened(const TriangleMesh& mesh, const Vec3& up, double depth) {
+  const Eigen::Matrix3d turn = axis_to_z(up);
+  const TriangleMesh upright = moved(mesh, turn);
+  const Box box = bounding_box(upright);
+  if (depth >= box.extent()[2])
+    throw InputError(fmt::format("--flatten {:.4g} mm of a body that is {:.4g} mm high; expected less", depth,
+                                 box.extent()[2]));
+  return moved(above_plane(upright, box.lo[2] + depth), Eigen::Matrix3d(turn.transpose()));
+}
+
+/// Joins the peg; from then on the body stands on its point.
+void add_stem(Body& body, const Stem& stem) {
+  const Frame millimetres{axis_to_z(body.axis), body.contact, 1};
+  Stemmed joined = with_stem(to_body(millimetres, body.mesh), stem);
+  body.mesh = to_model(millimetres, std::move(joined.mesh));
+  body.contact = millimetres.to_model({0, 0, joined.point});
 }
 
 }  // namespace
@@ -148,6 +170,11 @@ Body laid(const BodySpec& spec, Source source, const MomentsOf& moments_of) {
   body.usual = {source.axis.normalized(), source.up.normalized(), {}};
   if (source.contact) body.usual.contact = scale * *source.contact;
   pose(body, spec);
+  if (spec.flatten) {
+    body.mesh = flattened(body.mesh, body.axis, *spec.flatten);
+    if (!spec.contact) body.contact = lowest_point(body.mesh, body.axis);
+  }
+  if (const auto stem = stem_of(spec.stem)) add_stem(body, *stem);
   // About a point of the body: about an origin far away the digits of a moment are those of the distance.
   const auto volume_and_centre = [&] {
     const Vec3 middle = bounding_box(body.mesh).centre();

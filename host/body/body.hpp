@@ -8,6 +8,8 @@
 #include "body/axle.hpp"
 #include "body/frame.hpp"
 #include "body/moments.hpp"
+#include "body/resting.hpp"
+#include "body/stem.hpp"
 #include "device/device.hpp"
 #include "geometry/triangle_mesh.hpp"
 #include "kreisel/problem.hpp"
@@ -37,7 +39,11 @@ struct BodySpec {
   /// Where no contact is given, the origin is the solid's centre of mass; and an axle may be asked for.
   bool centred = false;
   AxleSpec axle;
+  StemSpec stem;                  ///< a peg along the axis, of the shell's material
+  std::optional<double> flatten;  ///< what is cut off at the bottom, mm along the axis
 
+  /// Whether axis and contact point decide what shape it is.
+  [[nodiscard]] bool shaped_along_axis() const { return axle.radius || stem.wanted() || flatten; }
   bool operator==(const BodySpec&) const = default;
 };
 
@@ -60,6 +66,7 @@ struct Body {
   double void_density = 0.0;         ///< g/cm^3
   std::vector<std::string> repairs;  ///< what was mended in the file's mesh, one line each
   UsualPose usual;
+  LazyHull hull;             ///< of the mesh
   std::optional<Axle> axle;  ///< mm; the mesh then is both halves, and the axle not in it
   /// What is fixed and not in the mesh, an axle of the same material; body frame and units.
   Moments added = Moments::Zero();

@@ -108,4 +108,18 @@ SupportPolygon support_polygon(const Body& body, double tolerance) {
   return polygon;
 }
 
+SupportPolygon resting_polygon(const Body& body) {
+  const ConvexHull& hull = body.hull.of(body.mesh.vertices);
+  const auto ground = ground_of(hull, body.frame.rotation.row(2));
+  if (!ground) return {};
+  std::vector<Vec2> corners;
+  for (const std::uint32_t f : ground->facets)
+    for (std::size_t k = 0; k < 3; ++k) corners.emplace_back(body.frame.to_body(hull.corner(f, k)).head<2>());
+  SupportPolygon polygon = hull_of(std::move(corners));
+  constexpr double least_area = 1e-4, least_round = 0.05;  // body lengths
+  if (polygon.corners.empty() || polygon.area < least_area) return {};
+  if (ground->rounded && polygon.inside(polygon.centroid) < least_round) return {};
+  return polygon;
+}
+
 }  // namespace kreisel::core

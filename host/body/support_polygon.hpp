@@ -36,6 +36,11 @@ struct SupportPolygon {
 /// edge
 [[nodiscard]] SupportPolygon support_polygon(const Body& body, double tolerance = 1e-3);
 
+/// What a body rests on in its pose: the facets of its hull that carry it (resting.hpp), seen from above.
+/// @return  no corners where it has no base: it stands on a corner, an edge, less than a hundredth of a body
+///          length across, or on a rounded place that is less than a tenth across
+[[nodiscard]] SupportPolygon resting_polygon(const Body& body);
+
 /// The hull of any points; no corners when they have no area.
 [[nodiscard]] SupportPolygon hull_of(std::vector<Vec2> points);
 

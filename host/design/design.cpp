@@ -13,7 +13,8 @@
 #include "fabricate/lay_flat.hpp"
 #include "fabricate/wall.hpp"
 #include "parse.hpp"
-#include "session/other_axes.hpp"
+#include "session/find_pose.hpp"
+#include "session/other_poses.hpp"
 #include "stop.hpp"
 
 namespace kreisel::core {
@@ -110,7 +111,10 @@ std::map<std::string, std::string> describe(const DesignSpec& spec) {
   return fields;
 }
 
-Design make_design(Session& session, const DesignSpec& spec, const Control& control) {
+namespace {
+
+/// Where it is infeasible, what would help is left to be found.
+Design make_asked(Session& session, const DesignSpec& spec, const Control& control) {
   Finishing finishing(spec);
   if (spec.mould) require_metal(spec.config.body);
   if (spec.mould && spec.file.empty())
@@ -120,7 +124,8 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
   SolvedRun run(session, config, control);
   require_unit_said(spec.config.body, bounding_box(run.body().mesh).extent().maxCoeff());
   require_printable(run.result, spec.printer_accuracy);
-  run.complete(control);
+  run.solve(control);
+  if (run.result.config.certify > 0) run.certify(control);
   Design design{};
   DesignSpec used = spec;
   used.config = run.result.config;  // with the solver and the wall that were taken
@@ -151,11 +156,7 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
   design.run = std::move(run.result);
   const RunResult& r = design.run;
   design.before = figures_of(r.solid, 1e3 * r.mass_unit_grams * r.solid[S1] / r.density, r, run.problem());
-  if (!design.feasible()) {
-    const ProblemEntry& asked = find_problem(r.config.problem);
-    if (asked.map && !asked.upright) design.other_axes = other_axes(session, spec.config, r.axis, control);
-    return design;
-  }
+  if (!design.feasible()) return design;
 
   double volume = 0;
   for (const WrittenMaterial& material : r.verified.materials) {
@@ -167,6 +168,79 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
   design.after.verdict = r.verified.verdict;  // which may say that the file holds no solid
   design.residual = residual_of(design.after, r.config);
   return design;
+}
+
+/// The question as it stands, and what would help where no interior does it.
+Design make_posed(Session& session, const DesignSpec& spec, const Control& control) {
+  Design design = make_asked(session, spec, control);
+  if (design.feasible() && design.run.verified.verdict.ok) return design;
+  if (!design.feasible()) {
+    RunConfig config = spec.config;
+    config.wall.to_corners = true;
+    SolvedRun run(session, config, control);
+    run.result.outcome.termination = Termination::infeasible;
+    run.look_for_remedies(control);
+    design.run.remedies = run.result.remedies;
+  }
+  design.other_axes = other_poses(session, spec.config, design.run.axis, control);
+  return design;
+}
+
+/// Whether half the wall lets some pose do.
+std::string thinner_wall(Session& session, const DesignSpec& spec, const Control& control) {
+  RunConfig thin = spec.config;
+  if (thin.wall.unit == Wall::cells)
+    return "another --wall, more cells, or a denser interior (--interior-density)";
+  thin.wall.value /= 2;
+  control.tell("try a thinner wall");
+  if (find_poses(session, thin, control).good.empty())
+    return "nothing that was tried: all poses, with half the wall, too";
+  return fmt::format("--wall {}, with which some pose will do", to_string(thin.wall));
+}
+
+/// Nothing of what was left open will do.
+Design make_none(Session& session, const DesignSpec& spec, const FoundPoses& found, const Control& control) {
+  DesignSpec usual = spec;
+  usual.config = in_usual_pose(spec.config);
+  SolvedRun run(session, usual.config, control);
+  Design design{};
+  design.config = describe(spec);
+  design.printer_accuracy = spec.printer_accuracy;
+  design.part.outer = run.body().mesh;
+  run.result.outcome.termination = Termination::infeasible;
+  run.result.outcome.message = "no pose will do";
+  run.result.infeasibility = found.text();
+  run.result.remedies = thinner_wall(session, spec, control);
+  design.run = std::move(run.result);
+  const RunResult& r = design.run;
+  design.before = figures_of(r.solid, 1e3 * r.mass_unit_grams * r.solid[S1] / r.density, r, run.problem());
+  return design;
+}
+
+}  // namespace
+
+Design make_design(Session& session, const DesignSpec& spec, const Control& control) {
+  if (!leaves_open(spec.config)) return make_posed(session, spec, control);
+  // The search's domain is coarse: the best there may miss by a little on the part's own, the next does not.
+  constexpr std::size_t most_parts = 4;
+  std::optional<Design> made;
+  std::optional<RunConfig> open = spec.config;
+  FoundPoses all;
+  while (open) {
+    FoundPoses found = find_poses(session, *open, control);
+    std::ranges::move(found.tried, std::back_inserter(all.tried));
+    for (std::size_t i = 0; i < std::min(found.good.size(), most_parts); ++i) {
+      DesignSpec one = spec;
+      one.config = posed(spec.config, found.good[i]);
+      Design design = make_asked(session, one, control);
+      design.pose = all.text();
+      if (design.feasible() && design.run.verified.verdict.ok) return design;
+      if (design.feasible() && !made) made = std::move(design);
+    }
+    open = std::move(found.onward);
+  }
+  if (made) return *made;
+  return make_none(session, spec, all, control);
 }
 
 }  // namespace kreisel::core

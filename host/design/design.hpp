@@ -46,7 +46,8 @@ struct Design {
   std::vector<Drain> drains;  ///< holes into voids
   double drain_radius = 0;    ///< as asked, mm; 0: none
   std::vector<WrittenMould> moulds;
-  std::string other_axes;  ///< where it cannot spin about the axis that was asked for: about which it can
+  std::string pose;        ///< how it was found, where it was left open
+  std::string other_axes;  ///< where it does not do it as it was posed: in which poses it can
   std::vector<std::filesystem::path> files;
 
   [[nodiscard]] bool feasible() const { return run.outcome.termination != Termination::infeasible; }

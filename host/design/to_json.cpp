@@ -64,11 +64,12 @@ std::string to_json(const Design& design) {
                   {"files", json::array()},
                   {"seconds", r.whole_seconds},
                   {"peak_bytes", r.peak_bytes}};
+  if (!design.pose.empty()) summary["pose"] = design.pose;
+  if (!design.feasible() || !design.other_axes.empty()) summary["other_axes"] = design.other_axes;
   if (!design.feasible()) {
     summary["after"] = nullptr;
     summary["infeasibility"] = r.infeasibility;
     summary["remedies"] = r.remedies;
-    summary["other_axes"] = design.other_axes;
     return summary.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
   }
   json cuts = json::array();

@@ -24,12 +24,21 @@ struct ShellReport {
   std::size_t depth = 0;     ///< how many shells are around it
 };
 
+/// A way of lying that is stable.
+struct RestReport {
+  Vec3 up;                  ///< of length 1
+  double probability = 0;   ///< that it ends so, dropped from any orientation alike without a bounce
+  double tilt_degrees = 0;  ///< by which it topples
+  double area = 0;          ///< of what carries it, mm^2
+};
+
 /// A solid at rest in model coordinates: mm, g.
 struct SolidReport {
   Vec3 extent, centre;  ///< of the bounding box; of mass
   double volume = 0, mass = 0;
-  Vec3 principal;        ///< moments of inertia about the centre of mass, g mm^2, ascending
-  Eigen::Matrix3d axes;  ///< columns, in that order
+  Vec3 principal;                 ///< moments of inertia about the centre of mass, g mm^2, ascending
+  Eigen::Matrix3d axes;           ///< columns, in that order
+  std::vector<RestReport> rests;  ///< the most probable first; `--up rest:N` takes the N-th
   std::map<std::string, Verdict> verdicts;  ///< what each problem says of it as it is
 };
 

@@ -46,6 +46,10 @@ struct Ratio {
   bool constrained = true;  ///< whether constraints() are the problem's, or only those of a step (next())
 };
 
+/// What `auto` may choose of a pose: nothing, for the question is about one; `any` direction of the axis (or
+/// of up); or those in which the body comes to `rest` on the ground, on a facet of its convex hull.
+enum class Poses { none, any, rest };
+
 /// What shortens or shapes a formulation's variables.
 struct Traits {
   Filling filling = Filling::segment;
@@ -122,6 +126,13 @@ class KREISEL_API Problem {
   /// What could be asked of this body with this shell, in a sentence; empty when there is nothing to say.
   [[nodiscard]] virtual std::string scope(const MassModel&) const { return {}; }
 
+  /// Why no interior whatever can do it, in a sentence; empty: that depends on the interior. Then nothing is
+  /// solved.
+  [[nodiscard]] virtual std::string impossible() const { return {}; }
+
+  /// Of finished solids in two poses of one body, which do it, the one with less does it better.
+  [[nodiscard]] virtual double pose_loss(const Moments& s) const { return value(s); }
+
   /// Judges a finished solid by exact criteria. @param length_mm  one body length in millimetres
   [[nodiscard]] virtual Verdict verify(const Moments& s, double length_mm) const = 0;
 };
@@ -145,8 +156,14 @@ struct ProblemSpec {
   std::function<std::unique_ptr<Problem>(const std::map<std::string, std::string>& settings,
                                          const PosedBody& body)>
       make;
-  bool upright = false;  ///< goes by the body's up direction, not by its spin axis
-  bool centred = false;  ///< the body frame's origin is its centre of mass where no point is given
+  bool upright = false;       ///< goes by the body's up direction, not by its spin axis
+  bool centred = false;       ///< the body frame's origin is its centre of mass where no point is given
+  Poses poses = Poses::none;  ///< what `auto` may choose
+  /// The settings, one after the other, that `auto` in one of them stands for; nothing: `make` takes it as it
+  /// is. @throws InputError
+  std::function<std::vector<std::map<std::string, std::string>>(
+      const std::map<std::string, std::string>& settings, const PosedBody& body)>
+      choices = {};
 };
 
 /// Makes a problem known by its name, in this process. Before the first session, by one thread.

@@ -16,6 +16,12 @@ struct Pose {
   std::optional<Vec3> up;       ///< to stand or float by
   std::optional<Vec3> contact;  ///< a point of the axis; after `size`
   std::optional<double> size;   ///< longest side of the bounding box, mm; none: as the mesh is
+  /// In place of axis, up and contact, what is to be found: "auto", the pose that does best what is asked;
+  /// "near:x,y,z", the best within 30 degrees of it; "rest:N", the N-th most probable way of lying. Empty:
+  /// nothing.
+  std::string find = {};
+  std::optional<double> stem, tip, tip_height;  ///< a peg to spin on, its cone's radius and height, mm
+  std::optional<double> flatten;                ///< what is cut off at the bottom, mm
   /// Of a yo-yo, mm: radius of the axle, gap between the halves, depth of its holes.
   std::optional<double> axle, slot, axle_depth;
 

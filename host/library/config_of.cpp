@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "error.hpp"
+#include "problem/problem.hpp"
 
 namespace kreisel::core {
 
@@ -20,6 +21,10 @@ RunConfig config_of(const Question& question) {
   set_field(config, "formulation", question.formulation.name);
   if (!question.solver.name.empty()) set_field(config, "solver", question.solver.name);
   if (!question.domain.kind.empty()) set_field(config, "domain", question.domain.kind);
+  config.body.stem = {question.pose.stem, question.pose.tip, question.pose.tip_height};
+  config.body.flatten = question.pose.flatten;
+  if (!question.pose.find.empty())
+    set_field(config, find_problem(config.problem).upright ? "up" : "axis", question.pose.find);
   const auto& cells = question.domain.cells;
   set_field(config, "resolution",
             cells[1] == 0 && cells[2] == 0 ? fmt::format("{}", cells[0])

@@ -13,10 +13,19 @@ void add_problem(ProblemSpec spec) {
   entry.summary = std::move(spec.summary);
   entry.upright = spec.upright;
   entry.centred = spec.centred;
-  entry.make = [make = std::move(spec.make), name = entry.name](const core::ProblemSettings& settings,
-                                                                const core::Body& body) {
-    std::unique_ptr<Problem> problem = make(settings, {body.mesh, body.frame.rotation, body.frame.origin,
-                                                       body.frame.length, body.solid, body.density});
+  entry.poses = spec.poses;
+  const auto posed = [](const core::Body& body) {
+    return PosedBody{body.mesh,         body.frame.rotation, body.frame.origin,
+                     body.frame.length, body.solid,          body.density};
+  };
+  if (spec.choices)
+    entry.choices = [choices = std::move(spec.choices), posed](const core::ProblemSettings& settings,
+                                                               const core::Body& body) {
+      return choices(settings, posed(body));
+    };
+  entry.make = [make = std::move(spec.make), name = entry.name, posed](const core::ProblemSettings& settings,
+                                                                       const core::Body& body) {
+    std::unique_ptr<Problem> problem = make(settings, posed(body));
     if (!problem) throw InputError("problem '" + name + "' was not made; expected an object");
     const LinearConstraints& c = problem->constraints();
     const Eigen::Index rows = c.matrix.rows();

@@ -9,7 +9,9 @@
 #include "design/design.hpp"
 #include "library/config_of.hpp"
 #include "library/state.hpp"
+#include "session/find_pose.hpp"
 #include "session/orientation_map.hpp"
+#include "session/other_poses.hpp"
 #include "session/remedies.hpp"
 #include "session/solved_run.hpp"
 
@@ -92,8 +94,49 @@ Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
+namespace {
+
+/// The question in the pose that was found for it.
+Question in_pose(Question question, const core::RunConfig& found) {
+  question.pose.find.clear();
+  question.pose.axis = found.body.axis;
+  question.pose.up = found.body.up;
+  question.pose.contact = found.body.contact;
+  question.pose.stem = found.body.stem.radius;
+  question.pose.flatten = found.body.flatten;
+  question.problem.settings = core::settings_of(found, "problem");
+  return question;
+}
+
+/// Of a pose that is to be found. The solution's question is in it; where there is none, as it was asked.
+Solution solve_open(core::Session& session, const Question& question, const core::RunConfig& open,
+                    const core::Along rays, const Control& control) {
+  const core::FoundPoses found = core::find_poses(session, open, control);
+  const core::RunConfig usual = core::in_usual_pose(open);
+  for (const core::PoseCandidate& candidate : found.good) {
+    const core::RunConfig config = core::posed(open, candidate);
+    core::SolvedRun run(session, config, control, rays);
+    run.solve(control);
+    if (!run.result.outcome.converged()) continue;
+    if (question.certify > 0) run.certify(control);
+    return solution_of(in_pose(question, config), run);
+  }
+  core::SolvedRun run(session, usual, control, rays);
+  run.result.outcome.termination = core::Termination::infeasible;
+  run.result.outcome.message = "no pose will do";
+  run.result.outcome.x.assign(run.task().formulation.num_variables(), 0.0);
+  run.result.infeasibility = found.text();
+  return solution_of(question, run);
+}
+
+}  // namespace
+
 Solution Session::solve(const Question& question, const Control& control) {
   return state_->asked([&] {
+    const core::RunConfig open = core::config_of(question);
+    if (core::leaves_open(open))
+      return solve_open(state_->session, question, open,
+                        question.certify > 0 ? core::Along::own_axis : core::Along::any_axis, control);
     // Certificates know problems in the frame of their rays alone.
     const core::Along rays = question.certify > 0 ? core::Along::own_axis : core::Along::any_axis;
     core::SolvedRun run(state_->session, core::config_of(question), control, rays);
@@ -106,9 +149,13 @@ Solution Session::solve(const Question& question, const Control& control) {
 std::string Session::remedies(const Solution& solution, const Control& control) {
   if (solution.end != Solution::End::infeasible) return {};
   return state_->asked([&] {
-    const core::RunConfig config = core::config_of(solution.question);
+    const core::RunConfig config = core::in_usual_pose(core::config_of(solution.question));
     const core::Stages stages = state_->session.stages(config, control);
-    return core::what_would_help(config, *stages.body, *stages.problem, *stages.device, control);
+    const std::string poses = core::other_poses(state_->session, config, stages.pose->axis, control);
+    if (!stages.problem->impossible().empty()) return poses;
+    const std::string help =
+        core::what_would_help(config, *stages.body, *stages.problem, *stages.device, control);
+    return poses.empty() ? help : help + "; or " + poses;
   });
 }
 

@@ -134,4 +134,16 @@ std::unique_ptr<Problem> make_float(const ProblemSettings& settings, const Body&
   return std::make_unique<Float>(result);
 }
 
+std::vector<ProblemSettings> drafts_of(const ProblemSettings& settings, const Body&) {
+  const auto draft = settings.find("draft");
+  if (draft == settings.end() || draft->second != "auto") return {settings};
+  std::vector<ProblemSettings> all;
+  // Shares of the height: what displaces nothing like what the body can weigh is infeasible at once.
+  for (const int percent : {25, 40, 50, 60, 70, 85}) {
+    all.push_back(settings);
+    all.back()["draft"] = fmt::format("{}%", percent);
+  }
+  return all;
+}
+
 }  // namespace kreisel::core

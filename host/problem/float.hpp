@@ -30,6 +30,11 @@ class Float final : public Problem {
   [[nodiscard]] Matrix10 hessian(const Moments&) const override { return Matrix10::Zero(); }
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
 
+  /// Minus the metacentric height.
+  [[nodiscard]] double pose_loss(const Moments& s) const override {
+    return centre_of_mass(s)[2] - draft_.water.metacentre();
+  }
+
   /// The densities with which the body can float at this draft, and at any.
   [[nodiscard]] std::string scope(const MassModel& mass) const override;
 
@@ -48,5 +53,9 @@ class Float final : public Problem {
 ///           fluid_density = g/cm^3, default 1
 /// @throws InputError  another setting, a draft outside the body, or a mass that displaces more than the body
 std::unique_ptr<Problem> make_float(const ProblemSettings& settings, const Body& body);
+
+/// Settings with draft = auto: one with each of the drafts to try, six from 25 to 85 % of the height.
+/// Others as they are.
+[[nodiscard]] std::vector<ProblemSettings> drafts_of(const ProblemSettings& settings, const Body&);
 
 }  // namespace kreisel::core

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "problem/balance.hpp"
+#include "problem/die.hpp"
 #include "problem/float.hpp"
+#include "problem/hang.hpp"
 #include "problem/ray_direction.hpp"
 #include "problem/spin.hpp"
 #include "problem/stand.hpp"
@@ -67,7 +69,8 @@ std::vector<ProblemEntry> ours() {
        .weights = {{"lambda", "0"}, {"gamma_i", "1"}},
        .moves = Moves::spins,
        .map = MapCases{},
-       .misses = misses_axis},
+       .misses = misses_axis,
+       .poses = Poses::any},
       {.name = "top",
        .summary = "spins on its tip: as spin, with centre of mass and mass lowered, or the height alone "
                   "[SpinIt, eq. 3]",
@@ -76,7 +79,8 @@ std::vector<ProblemEntry> ours() {
        .weights = {{"lower", "mass"}, {"gamma_c", "1"}, {"gamma_i", "1"}, {"form", "trace"}},
        .verb = "spin",
        .moves = Moves::spins,
-       .misses = misses_axis},
+       .misses = misses_axis,
+       .poses = Poses::any},
       {.name = "yoyo",
        .summary = "spins about its axle: centre of mass at the axle's centre, principal, and the largest "
                   "moment [SpinIt, eq. 2]",
@@ -86,7 +90,8 @@ std::vector<ProblemEntry> ours() {
        .centred = true,
        .verb = "spin",
        .moves = Moves::spins,
-       .misses = misses_axle},
+       .misses = misses_axle,
+       .poses = Poses::any},
       {.name = "stand",
        .summary = "stands: centre of mass over the base and low, or the largest tilt before toppling",
        .make = make_stand,
@@ -94,7 +99,8 @@ std::vector<ProblemEntry> ours() {
        .upright = true,
        .settings = {"target", "margin", "base"},
        .moves = Moves::topples,
-       .misses = misses_base},
+       .misses = misses_base,
+       .poses = Poses::rest},
       {.name = "float",
        .summary =
            "floats upright at a given draft: centre of mass over that of buoyancy, and low [RayRep, eq. 3-5]",
@@ -103,8 +109,10 @@ std::vector<ProblemEntry> ours() {
        .upright = true,
        .settings = {"draft", "fluid_density"},
        .moves = Moves::heels,
-       .map = MapCases{"draft", {"20%", "40%", "60%", "80%"}, "60%", "metacentric_height_mm"},
-       .misses = misses_buoyancy},
+       .map = MapCases{"draft", {"20%", "40%", "60%", "80%"}, "60%"},
+       .misses = misses_buoyancy,
+       .poses = Poses::any,
+       .choices = drafts_of},
       {.name = "balance",
        .summary = "centre of mass at a given point or on a given line, with as much material as possible",
        .make = make_balance,
@@ -112,6 +120,20 @@ std::vector<ProblemEntry> ours() {
        .settings = {"point", "line"},
        .rays = rays_of_balance,
        .misses = misses_point},
+      {.name = "hang",
+       .summary = "hung from a point, it hangs as it lies: centre of mass straight below, with as much material "
+                  "as possible",
+       .make = make_hang,
+       .upright = true,
+       .settings = {"point", "line"},
+       .rays = rays_of_hang,
+       .misses = misses_point},
+      {.name = "die",
+       .summary = "a fair die: its faces come up as alike as its shape allows, with as much material as possible",
+       .make = make_die,
+       .upright = true,
+       .rays = rays_of_die,
+       .verb = "be a fair die"},
   };
 }
 

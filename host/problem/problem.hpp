@@ -21,6 +21,7 @@ using kreisel::Filling;
 using kreisel::Goal;
 using kreisel::LinearConstraints;
 using kreisel::Nonlinear;
+using kreisel::Poses;
 using kreisel::Problem;
 using kreisel::Ratio;
 using kreisel::Traits;
@@ -41,7 +42,6 @@ struct MapCases {
   std::string setting = {};              ///< that tells the cases apart; empty: there is one case
   std::vector<std::string> values = {};  ///< of it, where nobody names others
   std::string usual = {};                ///< the one that a problem has by itself
-  std::string most = {};  ///< the verdict's value that is to be large; empty: the objective is to be small
 };
 
 /// By how much a solid misses what was asked; NaN where nothing of the kind was.
@@ -73,6 +73,10 @@ struct ProblemEntry {
   /// From a verdict's values on a solid; nothing: nobody can say.
   std::function<Misses(const std::map<std::string, double>& values, const ProblemSettings& settings)> misses =
       {};
+  Poses poses = Poses::none;  ///< what `auto` may choose
+  /// The settings that `auto` in one of them stands for, in any order; nothing: `make` takes them as they
+  /// are.
+  std::function<std::vector<ProblemSettings>(const ProblemSettings& settings, const Body& body)> choices = {};
 
   /// A body as this problem poses it.
   [[nodiscard]] BodySpec posed(BodySpec spec) const {

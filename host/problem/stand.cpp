@@ -32,6 +32,22 @@ LinearConstraints edge_rows(const Base& base, std::string_view what, const Momen
   return c;
 }
 
+/// Of c_z.
+Moments height_gradient(const Moments& s) {
+  Moments g = Moments::Zero();
+  g[SZ] = 1 / s[S1];
+  g[S1] = -s[SZ] / (s[S1] * s[S1]);
+  return g;
+}
+
+Matrix10 height_hessian(const Moments& s) {
+  Matrix10 h = Matrix10::Zero();
+  const double m = s[S1];
+  h(S1, SZ) = h(SZ, S1) = -1 / (m * m);
+  h(S1, S1) = 2 * s[SZ] / (m * m * m);
+  return h;
+}
+
 Verdict verdict_of(const Base& base, const Moments& s, double length_mm, double objective) {
   const Vec3 c = centre_of_mass(s);
   const double inside = base.polygon.inside(c.head<2>());
@@ -70,19 +86,24 @@ Stand::Stand(Base base, std::optional<double> margin) : base_(std::move(base)), 
   c = edge_rows(base_, "inside", *margin * Moments::Unit(S1));
 }
 
-Moments Stand::gradient(const Moments& s) const {
-  Moments g = Moments::Zero();
-  g[SZ] = 1 / s[S1];
-  g[S1] = -s[SZ] / (s[S1] * s[S1]);
-  return g;
+Moments Stand::gradient(const Moments& s) const { return height_gradient(s); }
+
+Matrix10 Stand::hessian(const Moments& s) const { return height_hessian(s); }
+
+Moments Baseless::gradient(const Moments& s) const { return height_gradient(s); }
+
+Matrix10 Baseless::hessian(const Moments& s) const { return height_hessian(s); }
+
+std::string Baseless::impossible() const {
+  return fmt::format(
+      "{} has no base to stand on as it lies: it does not rest on a facet of its convex hull within {} "
+      "degrees and "
+      "{} mm",
+      body_, ground_degrees, ground_play);
 }
 
-Matrix10 Stand::hessian(const Moments& s) const {
-  Matrix10 h = Matrix10::Zero();
-  const double m = s[S1];
-  h(S1, SZ) = h(SZ, S1) = -1 / (m * m);
-  h(S1, S1) = 2 * s[SZ] / (m * m * m);
-  return h;
+Verdict Baseless::verify(const Moments& s, double) const {
+  return {false, "does not stand: " + impossible(), {{"objective", value(s)}}};
 }
 
 std::optional<Ratio> Stand::ratio() const { return Ratio{Moments::Unit(SZ).transpose(), Moments::Unit(S1)}; }
@@ -145,7 +166,7 @@ Verdict MaxTilt::verify(const Moments& s, double length_mm) const {
 std::unique_ptr<Problem> make_stand(const ProblemSettings& settings, const Body& body) {
   std::string target = "centre";
   std::optional<double> margin_mm;
-  double tolerance = 1e-3;
+  std::optional<double> tolerance;
   for (const auto& [name, text] : settings) {
     const auto refuse = [&, name = name, text = text](const char* expected) {
       throw InputError(fmt::format("problem.{} = {} for stand; expected {}", name, text, expected));
@@ -158,7 +179,7 @@ std::unique_ptr<Problem> make_stand(const ProblemSettings& settings, const Body&
       if (!margin_mm || *margin_mm < 0) refuse("millimetres >= 0");
     } else if (name == "base") {
       tolerance = parse_with_unit(text, "%").value_or(-1) / 100;
-      if (!(tolerance >= 0 && tolerance < 1)) refuse("a share of the height such as 0.1%");
+      if (!(*tolerance >= 0 && *tolerance < 1)) refuse("a share of the height such as 0.1%");
     } else {
       refuse("target, margin or base");
     }
@@ -167,7 +188,9 @@ std::unique_ptr<Problem> make_stand(const ProblemSettings& settings, const Body&
     throw InputError(
         fmt::format("problem.margin = {} for target {}; expected target = inside", *margin_mm, target));
   const Box box = bounding_box(body.local);
-  Base base{support_polygon(body, tolerance), box.lo[2], box.extent()[2]};
+  Base base{tolerance ? support_polygon(body, *tolerance) : resting_polygon(body), box.lo[2],
+            box.extent()[2]};
+  if (base.polygon.corners.empty()) return std::make_unique<Baseless>(body.name);
   if (target == "max-tilt") {
     // From the solid's own tilt, where its density can be had inside; a solid that falls over starts at none,
     // where its problem is still convex.

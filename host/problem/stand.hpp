@@ -42,6 +42,9 @@ class Stand final : public Problem {
     return margin_ ? allowed_.nearest(p) : base_.polygon.centroid;
   }
 
+  [[nodiscard]] double pose_loss(const Moments& s) const override {
+    return -base_.tangent(centre_of_mass(s));
+  }
   /// Stands when the centre of mass is inside the base, seen from above.
   [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override;
 
@@ -84,11 +87,32 @@ class MaxTilt final : public Problem {
   LinearConstraints constraints_;
 };
 
+/// A body that does not rest where it is to stand: no interior helps.
+class Baseless final : public Problem {
+ public:
+  explicit Baseless(std::string body) : body_(std::move(body)) {}
+
+  [[nodiscard]] std::string_view name() const override { return "stand"; }
+  [[nodiscard]] Convexity convexity() const override { return Convexity::fractional; }
+  [[nodiscard]] Traits traits() const override { return {Filling::from_below}; }
+  [[nodiscard]] double value(const Moments& s) const override { return s[SZ] / s[S1]; }
+  [[nodiscard]] Moments gradient(const Moments& s) const override;
+  [[nodiscard]] Matrix10 hessian(const Moments& s) const override;
+  [[nodiscard]] const LinearConstraints& constraints() const override { return none_; }
+  [[nodiscard]] std::string impossible() const override;
+  [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override;
+
+ private:
+  std::string body_;
+  LinearConstraints none_{decltype(LinearConstraints::matrix)(0, 10), {}, {}, {}};
+};
+
 /// settings  target = centre (default) | inside | max-tilt
 ///           margin = mm from the edge of the base, for `inside`; default 0.01 L, at most half of what the
 ///                    centroid has
-///           base   = share of the height within which vertices touch the ground; default 0.1%
-/// @throws InputError  another setting, or a body without a base
+///           base   = share of the height within which vertices touch the ground; default: what it rests on,
+///                    resting_polygon()
+/// @throws InputError  another setting, or no base of that share
 std::unique_ptr<Problem> make_stand(const ProblemSettings& settings, const Body& body);
 
 }  // namespace kreisel::core

@@ -30,6 +30,8 @@ class Turned final : public Problem {
   [[nodiscard]] const Nonlinear* nonlinear() const override { return nonlinear_.get(); }
   [[nodiscard]] std::unique_ptr<Problem> next(const Moments& s) const override;
   [[nodiscard]] std::string scope(const MassModel& mass) const override;
+  [[nodiscard]] std::string impossible() const override { return inner_->impossible(); }
+  [[nodiscard]] double pose_loss(const Moments& s) const override { return inner_->pose_loss(map_ * s); }
   [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override {
     return inner_->verify(map_ * s, length_mm);
   }

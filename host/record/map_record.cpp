@@ -10,7 +10,7 @@
 
 namespace kreisel::core {
 
-inline std::string_view to_string(Through through) {
+static std::string_view to_string(Through through) {
   return through == Through::centre ? "centre" : "lowest";
 }
 
@@ -71,6 +71,7 @@ void write_answers(hdf5::Group& file, const OrientationMap& map) {
              {"1", map.cases});
   file.write("objective", column(map, [](const MapAnswer& a) { return a.objective; }), shape,
              {"1", map.cases});
+  file.write("loss", column(map, [](const MapAnswer& a) { return a.loss; }), shape, {"1", map.cases});
   file.write("miss", column(map, [](const MapAnswer& a) { return a.miss; }), shape,
              {"body units", map.cases});
 }

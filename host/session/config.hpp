@@ -22,6 +22,20 @@ enum class Rounding { nearest, fitted };
 /// the part takes minutes, the solve milliseconds.
 enum class Part { none, written };
 
+/// Where an axis runs through the body: through its lowest point along the axis, on which it then spins; or
+/// through the solid's centre of mass, on a peg as long as it takes to touch the ground at the lowest point's
+/// height.
+enum class Through { lowest, centre };
+
+/// A pose that is to be found: of the problem's own direction, axis or up. [docs/poses.md]
+struct FreePose {
+  std::optional<Vec3> near;        ///< the best within 30 degrees of it; nothing: of all
+  std::optional<int> rest;         ///< the N-th most probable way of lying, from 1
+  std::optional<Through> through;  ///< of an axis; nothing: lowest, and where none will do centre on a stem
+
+  bool operator==(const FreePose&) const = default;
+};
+
 /// What a run may take, as a process of its own. 0: as much as there is.
 struct Limits {
   double gigabytes = 0;  ///< 1e9 bytes of memory in use; what is asked for and never touched does not count
@@ -33,6 +47,8 @@ struct Limits {
 /// What solves, maps and simulations have in common: what is asked of which body, over which domain, where.
 struct Asked {
   BodySpec body;
+  std::optional<FreePose> free;  ///< in place of the body's axis, up and contact
+  bool flatten = false;          ///< by as little as makes a base
   std::string problem = "spin", formulation = "rayrep";
   std::string solver;  ///< empty: the first that works with the formulation, see solver_of()
   std::string domain;  ///< columns or exact; empty: the formulation's own, see domain_of()

@@ -48,6 +48,79 @@ std::string number_text(double v) { return fmt::format("{}", v); }
 std::string number_text(const std::optional<double>& v) { return v ? number_text(*v) : ""; }
 std::string point_text(const std::optional<Vec3>& v) { return v ? text_of(*v) : ""; }
 
+FreePose& free_pose_of(A asked) { return asked.free ? *asked.free : asked.free.emplace(); }
+
+/// A direction, or how one is to be found. @param rests  by the number of a way of lying, too
+void set_direction(A asked, std::optional<Vec3>& direction, S key, S value, bool rests) {
+  constexpr S near = "near:", rest = "rest:";
+  const auto begin = [&](std::optional<Vec3> to, std::optional<int> number) {
+    direction.reset();
+    FreePose& free = free_pose_of(asked);
+    free.near = std::move(to);
+    free.rest = number;
+  };
+  if (value == "auto") return begin({}, {});
+  if (value.starts_with(near)) {
+    const Vec3 to = vector(key, value.substr(near.size()));
+    if (!to.allFinite() || to.norm() == 0) refuse(key, value, "near: and a direction other than zero");
+    return begin(to, {});
+  }
+  if (rests && value.starts_with(rest)) return begin({}, whole(key, value.substr(rest.size()), 1));
+  if (!parse_vector(value))
+    refuse(key, value, rests ? "x,y,z, auto, near:x,y,z or rest:N" : "x,y,z, auto or near:x,y,z");
+  direction = vector(key, value);
+  asked.free.reset();
+}
+
+/// What set_direction() takes. @param upright  it is the direction that its problem goes by
+std::string direction_text(ConstA asked, const std::optional<Vec3>& direction, bool upright) {
+  if (!asked.free || find_problem(asked.problem).upright != upright) return point_text(direction);
+  const FreePose& free = *asked.free;
+  return free.rest   ? fmt::format("rest:{}", *free.rest)
+         : free.near ? "near:" + text_of(*free.near)
+                     : std::string("auto");
+}
+
+/// Shapes that are made along the axis: what is joined, what is cut off; and where an axis runs that is found.
+Fields<Asked> shape_fields() {
+  return grouped<Asked>(
+      "pose and material",
+      {{"axis-through", "",
+        "where an axis that is found runs: lowest (point along it) or centre (of mass, on a stem); default "
+        "lowest, else centre",
+        [](A a, S k, S v) {
+          if (v != "lowest" && v != "centre") refuse(k, v, "lowest or centre");
+          free_pose_of(a).through = v == "centre" ? Through::centre : Through::lowest;
+        },
+        [](ConstA a) {
+          if (!a.free || !a.free->through) return std::string();
+          return std::string(*a.free->through == Through::centre ? "centre" : "lowest");
+        }},
+       {"stem", "mm", "radius of a peg to spin on, along the axis down to the lowest point's height",
+        [](A a, S k, S v) { a.body.stem.radius = number(k, v); },
+        [](ConstA a) { return number_text(a.body.stem.radius); }},
+       {"tip", "R[,H]", "radius and height of the cone at its end, mm; default the stem's radius",
+        [](A a, S k, S v) {
+          const auto parts = split(v, ',');
+          if (parts.size() > 2) refuse(k, v, "a radius, or a radius and a height R,H in mm");
+          a.body.stem.tip_radius = number(k, parts[0]);
+          a.body.stem.tip_height.reset();
+          if (parts.size() == 2) a.body.stem.tip_height = number(k, parts[1]);
+        },
+        [](ConstA a) {
+          const StemSpec& stem = a.body.stem;
+          return number_text(stem.tip_radius) + (stem.tip_height ? "," + number_text(stem.tip_height) : "");
+        }},
+       {"flatten", "mm", "cut that much off the bottom; auto: the least that makes a base",
+        [](A a, S k, S v) {
+          a.flatten = v == "auto";
+          a.body.flatten.reset();
+          if (!a.flatten && !parse<double>(v)) refuse(k, v, "mm, or auto");
+          if (!a.flatten) a.body.flatten = number(k, v);
+        },
+        [](ConstA a) { return a.flatten ? std::string("auto") : number_text(a.body.flatten); }}});
+}
+
 /// Which body, and how large.
 Fields<Asked> body_fields() {
   return grouped<Asked>(
@@ -75,14 +148,19 @@ Fields<Asked> body_fields() {
 Fields<Asked> pose_fields() {
   return grouped<Asked>(
       "pose and material",
-      {{"axis", "x,y,z", "spin axis in model coordinates; default up",
-        [](A a, S k, S v) { a.body.axis = vector(k, v); }, [](ConstA a) { return point_text(a.body.axis); }},
+      {{"axis", "x,y,z",
+        "spin axis in model coordinates, auto (the best), or near:x,y,z (within 30 degrees); default up",
+        [](A a, S k, S v) { set_direction(a, a.body.axis, k, v, false); },
+        [](ConstA a) { return direction_text(a, a.body.axis, false); }},
        {"contact", "x,y,z",
         "a point of the axis, mm; default the lowest along it, for yoyo the centre of mass",
         [](A a, S k, S v) { a.body.contact = vector(k, v); },
         [](ConstA a) { return point_text(a.body.contact); }},
-       {"up", "x,y,z", "up direction; default the model's, else 0,0,1",
-        [](A a, S k, S v) { a.body.up = vector(k, v); }, [](ConstA a) { return point_text(a.body.up); }},
+       {"up", "x,y,z",
+        "up direction, auto (the best pose), near:x,y,z, or rest:N (the N-th most probable); default the "
+        "model's, else 0,0,1",
+        [](A a, S k, S v) { set_direction(a, a.body.up, k, v, true); },
+        [](ConstA a) { return direction_text(a, a.body.up, true); }},
        {"density", "g/cm^3", "of the shell; default 1", [](A a, S k, S v) { a.body.density = number(k, v); },
         [](ConstA a) { return number_text(a.body.density); }, Identity::always},
        {"interior-density", "g/cm^3", "of what is left of the interior; default the shell's",
@@ -179,12 +257,14 @@ Field<Asked> setting(S name, S help) {
 Fields<Asked> setting_fields() {
   return grouped<Asked>(
       "the problem's settings",
-      {setting("problem.target", "stand: centre, inside or max-tilt; default centre"),
+      {setting("problem.target", "stand: centre, inside or max-tilt; default centre, of design max-tilt"),
        setting("problem.lower", "top: mass, height or none, beside the inertia ratio; default mass"),
-       setting("problem.draft", "float: 60% of the height, mm, grams (40g) or solid; default 60%"),
+       setting("problem.draft", "float: 60% of the height, mm, grams (40g), solid, or auto; default 60%"),
        setting("problem.fluid_density", "float: g/cm^3; default 1"),
-       setting("problem.point", "balance: where the centre of mass is to be, x,y,z in mm"),
-       setting("problem.line", "balance: direction of a line through that point")});
+       setting("problem.point",
+               "balance: where the centre of mass is to be, x,y,z in mm; hang: from where, default the highest "
+               "point"),
+       setting("problem.line", "balance: direction of a line through that point; hang: which way is up")});
 }
 
 /// How often, how long, how near, and whether a part is made.
@@ -230,7 +310,7 @@ Fields<RunConfig> effort_fields() {
 }  // namespace
 
 const Fields<Asked>& asked_fields() {
-  static const Fields<Asked> all = joined<Asked>(body_fields(), pose_fields(), question_fields(),
+  static const Fields<Asked> all = joined<Asked>(body_fields(), pose_fields(), shape_fields(), question_fields(),
                                                  domain_fields(), device_fields(), setting_fields());
   return all;
 }

@@ -1,10 +1,15 @@
 #include "session/inspect.hpp"
 
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "body/moments.hpp"
+#include "body/support_polygon.hpp"
 #include "error.hpp"
+#include "geometry/rotation.hpp"
 #include "mesh/solid/check.hpp"
+#include "physics/units.hpp"
 #include "problem/problem.hpp"
 #include "stop.hpp"
 
@@ -36,6 +41,16 @@ void add_verdicts(std::map<std::string, Verdict>& all, const Body& body, bool up
   }
 }
 
+/// The tilt by which a body topples that lies so, degrees. @param centre  of mass
+double topples_at(const ConvexHull& hull, const RestingPose& pose, const Vec3& centre) {
+  const Eigen::Matrix3d turn = axis_to_z(pose.up);
+  std::vector<Vec2> corners;
+  for (const std::uint32_t f : pose.ground.facets)
+    for (std::size_t k = 0; k < 3; ++k) corners.emplace_back((turn * hull.corner(f, k)).head<2>());
+  const double inside = hull_of(std::move(corners)).inside((turn * centre).head<2>());
+  return degrees(std::atan2(inside, pose.up.dot(centre - hull.corner(pose.ground.facets[0], 0))));
+}
+
 kreisel::SolidReport solid_of(const Body& body) {
   kreisel::SolidReport s;
   const double length = body.frame.length;
@@ -50,6 +65,10 @@ kreisel::SolidReport solid_of(const Body& body) {
   const PrincipalAxes principal(inertia);
   s.principal = principal.moments;
   s.axes = principal.axes;
+  const ConvexHull& hull = body.hull.of(body.mesh.vertices);
+  for (const RestingPose& pose : resting_poses(hull, s.centre))
+    if (pose.stable)
+      s.rests.push_back({pose.up, pose.probability, topples_at(hull, pose, s.centre), pose.area});
   return s;
 }
 

@@ -5,11 +5,6 @@
 
 namespace kreisel::core {
 
-/// Where an axis runs through the body: through its lowest point along the axis, on which it then spins; or
-/// through the solid's centre of mass, on a peg as long as it takes to touch the ground at the lowest point's
-/// height.
-enum class Through { lowest, centre };
-
 /// Every orientation instead of one: no part is made, and nothing is timed.
 struct MapRun : Asked {
   MapRun();

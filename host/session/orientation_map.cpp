@@ -12,69 +12,17 @@
 
 #include "error.hpp"
 #include "geometry/rotation.hpp"
-#include "problem/turned.hpp"
-#include "solve/distance_to_rows.hpp"
+#include "session/sweep.hpp"
 #include "stopwatch.hpp"
 
 namespace kreisel::core {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A step through n things in a circle that visits all, so that any number of steps spreads evenly.
 std::size_t even_step(std::size_t n) {
   auto step = static_cast<std::size_t>(static_cast<double>(n) / std::numbers::phi);
   while (step > 1 && std::gcd(step, n) != 1) --step;
   return std::max<std::size_t>(step, 1);
-}
-
-/// What all axes share.
-struct Sweep {
-  const SolverEntry& solver;
-  SolverOptions options;
-  Formulation& formulation;
-  const MassModel& mass;
-  device::Device& device;
-  double length_mm;
-  const Control& control;
-
-  /// @return  nothing when the user stopped it
-  [[nodiscard]] std::optional<MapAnswer> answer(const Problem& problem) const {
-    const Task task{problem, formulation, mass, device, control.stop};
-    const Outcome outcome = solve(solver, task, options);
-    MapAnswer result;
-    result.objective = result.miss = nan;
-    switch (outcome.termination) {
-      case Termination::interrupted:
-        return std::nullopt;
-      case Termination::optimal:
-      case Termination::acceptable:
-        result.status = MapAnswer::feasible;
-        result.objective = outcome.objective;
-        result.miss = 0;
-        result.verdict = problem.verify(outcome.moments, length_mm);
-        return result;
-      case Termination::infeasible:
-      case Termination::failed:
-        break;
-    }
-    const RowDistance distance =
-        distance_to_rows(*formulation.oracle(), mass, problem.constraints(), 1e-3, 1e-7, control.stop);
-    // Below this nobody could tell; a solver that gave up may have had only its own difficulties.
-    constexpr double least = 1e-6;
-    if (outcome.termination == Termination::infeasible || distance.proved > least)
-      result.status = MapAnswer::infeasible;
-    result.miss = distance.attained;
-    if (control.stopped()) return std::nullopt;  // it stopped early
-    return result;
-  }
-};
-
-Vec3 contact_of(const Body& body, const Vec3& axis, Through through) {
-  const Vec3 lowest = lowest_point(body.mesh, axis);
-  if (through == Through::lowest) return lowest;
-  const Vec3 centre = body.frame.to_model(centre_of_mass(body.solid)), up = axis.normalized();
-  return centre - up.dot(centre - lowest) * up;
 }
 
 std::vector<std::string> cases_of(const MapSpec& spec, const MapCases& cases) {
@@ -119,10 +67,6 @@ std::size_t OrientationMap::count_ok(std::size_t at_case) const {
 }
 
 std::optional<OrientationMap::Place> OrientationMap::best() const {
-  const std::string most = find_problem(config.problem).map.value_or(MapCases{}).most;
-  const auto loss = [&](const MapAnswer& answer) {
-    return most.empty() ? answer.objective : -answer.verdict.values.at(most);
-  };
   std::optional<Place> best;
   for (std::size_t a = 0; a < axes.size(); ++a)
     for (std::size_t c = 0; c < cases.size(); ++c) {
@@ -131,7 +75,7 @@ std::optional<OrientationMap::Place> OrientationMap::best() const {
       if (best) {
         const MapAnswer& so_far = at(best->axis, best->at_case);
         if (here.verdict.ok < so_far.verdict.ok) continue;
-        if (here.verdict.ok == so_far.verdict.ok && !(loss(here) < loss(so_far))) continue;
+        if (here.verdict.ok == so_far.verdict.ok && !(here.loss < so_far.loss)) continue;
       }
       best = Place{a, c};
     }
@@ -170,7 +114,6 @@ const ProblemEntry& checked_problem(const MapSpec& spec) {
     if (!axis.allFinite() || axis.norm() == 0)
       throw InputError(
           fmt::format("axis {} has no direction; expected a non-zero vector", fmt::join(axis, ",")));
-  return asked;
 }
 
 /// What a map says of itself beside its answers.
@@ -199,25 +142,17 @@ OrientationMap map_orientations(Session& session, const MapSpec& spec, const Con
   map.cases = cases_of(spec, *asked.map);
   map.through = spec.through;
   map.asked = spec.axes.size();
-  const SolverEntry& solver = find_solver(map.config.solver, map.config.formulation);
-  SolverOptions options = parse_solver_options(settings_of(map.config, "solver"));
-  // A hundred-thousandth of what a verdict asks for. The last digits would cost most of the time, near
-  // directions across the rays above all, where a plane turns whole rays on and off.
-  options.own = {{"tolerance", "1e-8"}};
-  for (const auto& [name, value] : settings_of(map.config, map.config.solver)) options.own[name] = value;
   const Stages stages = session.stages(map.config, control);
   describe(map, stages, session.provenance());
   map.setup_seconds = setup.seconds();
   const Body& body = *stages.body;
 
   const Stopwatch sweeping;
-  const Sweep sweep{solver, options, *stages.formulation, stages.mass, *stages.device, body.frame.length,
-                    control};
+  Sweep sweep(stages, map.config, control);
   const std::size_t n = spec.axes.size(), step = even_step(n);
   std::vector<std::vector<MapAnswer>> answers(n);  // empty: not done
   std::vector<Vec3> contacts(n);
   ProblemSettings settings = settings_of(map.config, "problem");
-  Body turned = body;
   Stopwatch told;
   for (std::size_t k = 0; k < n && !control.stopped(); ++k) {
     if (k == 0 || told.seconds() > 0.1) {
@@ -226,14 +161,11 @@ OrientationMap map_orientations(Session& session, const MapSpec& spec, const Con
     }
     const std::size_t i = k * step % n;
     contacts[i] = contact_of(body, spec.axes[i], spec.through);
-    reframe(turned, body, spec.axes[i], contacts[i]);
-    const Eigen::Matrix3d R = turned.frame.rotation * body.frame.rotation.transpose();
-    const Vec3 t = turned.frame.to_body(body.frame.origin);
+    sweep.turn(spec.axes[i], contacts[i]);
     std::vector<MapAnswer> here;
     for (const std::string& at_case : map.cases) {
       if (!at_case.empty()) settings[asked.map->setting] = at_case;
-      const Turned problem(asked.make(settings, turned), R, t);
-      std::optional<MapAnswer> answer = sweep.answer(problem);
+      std::optional<MapAnswer> answer = sweep.answer(settings);
       if (!answer) break;
       here.push_back(std::move(*answer));
     }

@@ -8,6 +8,7 @@
 
 #include "session/map_run.hpp"
 #include "session/session.hpp"
+#include "session/sweep.hpp"
 #include "solve/solver.hpp"
 
 namespace kreisel::core {
@@ -22,15 +23,6 @@ struct MapSpec {
 
 /// With the directions it asks for; at the cases of its problem where it names none.
 [[nodiscard]] MapSpec map_spec(const MapRun& map);
-
-/// The answer for one axis and case.
-struct MapAnswer {
-  enum Status { undecided, feasible, infeasible } status = undecided;
-  double objective = 0;  ///< f at the optimum; NaN when not feasible
-  double miss =
-      0;  ///< distance of what can be attained from what is asked (distance_to_rows.hpp); 0 if feasible
-  Verdict verdict;  ///< of the optimum's own moments, when feasible; not of a written mesh
-};
 
 /// The map. Answers of axis a and case c stand at a * cases.size() + c.
 struct OrientationMap {
@@ -60,8 +52,8 @@ struct OrientationMap {
   struct Place {
     std::size_t axis, at_case;
   };
-  /// The best of those whose verdict is good, else of the feasible ones, as MapCases::most says; nothing when
-  /// none is.
+  /// The best of those whose verdict is good, else of the feasible ones, by Problem::pose_loss(): to spin, of
+  /// least objective; to float, of largest metacentric height. Nothing when none is.
   [[nodiscard]] std::optional<Place> best() const;
 
   /// The line that makes, writes and verifies the part of one place: `bench --axis ... --contact ...`.

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "error.hpp"
 #include "problem/turned.hpp"
 #include "stop.hpp"
 #include "stopwatch.hpp"
@@ -16,7 +17,7 @@ bool same_pose(const Body& a, const Body& b) { return a.axis == b.axis && a.cont
 /// Lays the body anew where rays along its axis would run along the cut, and nobody asked for them.
 void lay_rays_across_the_cut(Body& body, const Body& made, const Asked& question) {
   const BodySpec& given = question.body;
-  if (given.axis || given.up || given.axle.radius) return;
+  if (given.axis || given.up || given.shaped_along_axis()) return;
   const ProblemEntry& asked = find_problem(question.problem);
   if (!asked.rays) return;
   if (const auto axis = asked.rays(settings_of(question, "problem"), body))
@@ -74,9 +75,9 @@ std::shared_ptr<const Body> Session::body_of(const Asked& question, const BodySp
       given_ ? given_ : stage("mesh", source_, {given.model, given.fineness, given.unit, given.weld}, [&] {
         return std::make_shared<const Source>(load_solid(given));
       });
-  std::optional<BodySpec> with_axle;
-  if (spec.axle.radius) with_axle = spec;
-  return stage("body", body_, {source, device, spec.size, with_axle}, [&] {
+  std::optional<BodySpec> shaped;
+  if (spec.shaped_along_axis()) shaped = spec;
+  return stage("body", body_, {source, device, spec.size, shaped}, [&] {
     made_as_ = spec;
     return std::make_shared<const Body>(make_body(spec, *source, *device));
   });
@@ -118,7 +119,8 @@ std::shared_ptr<const Session::Laid> Session::domain_of(const Asked& question,
   const bool in_any_frame = question.wall.unit == Wall::millimetres && !question.grid.cells;
   const ProblemEntry& asked = find_problem(question.problem);
   const bool turns = rays == Along::any_axis && in_any_frame && key.kind == "exact" && !asked.rays &&
-                     find_formulation(question.formulation).offers.oracle && !pose->axle;
+                     find_formulation(question.formulation).offers.oracle &&
+                     !question.body.shaped_along_axis();
   if (turns && domain_.key()) {
     DomainKey as_laid = key;
     as_laid.axis = domain_.key()->axis;
@@ -168,6 +170,9 @@ Stages Session::stages(const Asked& question, const Control& control, Along rays
   const StopScope scope(control.stop);
   // What needs no work is checked first, so that a typing error costs no time.
   const ProblemEntry& asked = find_problem(question.problem);
+  if (question.free || question.flatten)
+    throw InputError(
+        "a pose that is to be found (auto, near or rest); expected a direction here, three numbers x,y,z");
   (void)find_formulation(question.formulation);
   (void)kreisel::core::domain_of(question);
   Stages stages;

@@ -94,7 +94,7 @@ class Session {
     std::shared_ptr<const Source> source;
     std::shared_ptr<device::Device> device;
     std::optional<double> size;
-    std::optional<BodySpec> with_axle;  ///< it is cut across its axis
+    std::optional<BodySpec> shaped;  ///< it is cut across its axis, or has a stem along it
     bool operator==(const BodyKey&) const = default;
   };
   struct PoseKey {

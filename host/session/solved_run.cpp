@@ -67,6 +67,20 @@ SolvedRun::SolvedRun(Session& session, const RunConfig& config, const Control& c
 }
 
 void SolvedRun::solve(const Control& control) {
+  result.infeasibility = problem().impossible();
+  if (!result.infeasibility.empty()) {
+    result.outcome = {};
+    result.outcome.termination = Termination::infeasible;
+    result.outcome.message = "no interior can do it";
+    result.outcome.moments = body().solid;
+    result.outcome.objective = result.solid_objective;
+    result.variables = stages_.formulation->num_variables();
+    result.outcome.x.assign(result.variables, 0.0);
+    result.samples = {{setup_seconds_, 0, 0, setup_seconds_}};
+    result.median = result.samples.front();
+    result.formulation_settings = stages_.formulation->settings();
+    return;
+  }
   repeat_solve(control);
   if (result.outcome.termination != Termination::infeasible) return;
   control.tell("look for what cannot be met");
@@ -75,7 +89,7 @@ void SolvedRun::solve(const Control& control) {
 }
 
 void SolvedRun::look_for_remedies(const Control& control) {
-  if (result.outcome.termination != Termination::infeasible) return;
+  if (result.outcome.termination != Termination::infeasible || !problem().impossible().empty()) return;
   result.remedies = what_would_help(result.config, body(), problem(), *stages_.device, control);
   control.stop_if_asked();
 }

@@ -42,6 +42,10 @@ class Problem:
         """Hessian of multipliers . nonlinear(s), (10, 10)."""
         return np.zeros((10, 10))
 
+    def pose_loss(self, s):
+        """Of finished solids in two poses of one body, the one with less does it better; for `find`."""
+        return self.value(s)
+
     def verify(self, s, length_mm):
         """Judges a finished solid: (does it do what was asked, a sentence). length_mm is V^(1/3)."""
         raise NotImplementedError("verify(s, length_mm)")

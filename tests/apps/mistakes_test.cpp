@@ -61,18 +61,28 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"--set solver.start=nowhere", "expected lower, middle or upper"},
         Mistake{"--set problem.lambda=-1", "expected lambda >= 0"},
         Mistake{"--formulation nosuch", "expected one of"},
-        Mistake{"--problem nosuch", "expected one of: spin, top, yoyo, stand, float, balance"},
+        Mistake{"--problem nosuch", "expected one of: spin, top, yoyo, stand, float, balance, hang, die"},
         Mistake{"--problem float --set problem.draft=abc",
                 "problem.draft = abc; expected a share of the height"},
         Mistake{"--problem float --density 3 --set problem.draft=solid", "sinks"},
         Mistake{"--problem stand --set problem.target=foo",
                 "problem.target = foo for stand; expected centre, inside or max-tilt"},
-        Mistake{"--problem stand --model ellipsoid --fineness 4", "ellipsoid has no base to stand on: 1 of"},
+        Mistake{"--problem balance --axis auto", "expected a direction, for balance is asked in one pose"},
+        Mistake{"--problem stand --up rest:0", "expected a whole number >= 1"},
+        Mistake{"--problem stand --model cuboid --up rest:9", "comes to rest in 6 ways; expected 1 to 6"},
+        Mistake{"--axis rest:1", "expected x,y,z, auto or near:x,y,z"},
+        Mistake{"--axis near:0,0,0", "a direction other than zero"},
+        Mistake{"--up around", "expected x,y,z, auto, near:x,y,z or rest:N"},
+        Mistake{"--stem 0", "--stem 0 mm; expected > 0"}, Mistake{"--tip 1,2,3", "a radius and a height R,H"},
+        Mistake{"--stem 1 --tip 2", "expected a tip that is no wider"},
+        Mistake{"--problem float --stem 1", "a stem or a tip of what does not spin on a point"},
+        Mistake{"--problem stand --model kitten --flatten 80",
+                "--flatten 80 mm of a body that is 59.99 mm high"},
         Mistake{"--problem stand --model ellipsoid --set problem.base=0%", "has no base to stand on: 1 of"},
         Mistake{"--problem balance", "expected --set problem.point=x,y,z"},
         Mistake{"--problem balance --set problem.point=1,2", "problem.point = 1,2 for balance; expected"},
         Mistake{"--solver nosuch", "expected one of: ipopt"}, Mistake{"--axis 0,0,0", "no direction"},
-        Mistake{"--axis 1,2", "three numbers"}, Mistake{"--density 0", "expected > 0"},
+        Mistake{"--axis 1,2", "expected x,y,z, auto or near:x,y,z"}, Mistake{"--density 0", "expected > 0"},
         Mistake{"--unit ccm", "unit 'ccm' is unknown (did you mean 'cm'?); expected one of: mm, cm, m, in"},
         Mistake{"--unit inch", "unit 'inch' is unknown; expected one of: mm, cm, m, in"},
         Mistake{"--model kitten --unit cm",
@@ -279,7 +289,7 @@ TEST_F(BenchExperiment, WithUnfitValuesSaysTheLine) {
   refuses("[[run]]\nresolution = [16, 0]\n", "line 2: ", "resolution = '0'; expected cells");
   refuses("[[run]]\nunit = [\"mm\", \"km\"]\n", "line 2: ", "unit 'km' is unknown (did you mean 'mm'?)");
   refuses("[[run]]\nunit = \"cm\"\n", "experiment trial: ", "unit cm for model 'ellipsoid'; expected none");
-  refuses("[[run]]\naxis = [0, 0, 1]\n", "line 2: ", "expected three numbers x,y,z");
+  refuses("[[run]]\naxis = [0, 0, 1]\n", "line 2: ", "expected x,y,z, auto or near:x,y,z");
 }
 
 TEST_F(BenchExperiment, IntoAFileInsteadOfAFolderIsRefused) {

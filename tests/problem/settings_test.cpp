@@ -15,7 +15,9 @@ TEST(ProblemSettings, OfTheRegistryAreThoseThatEachProblemTakes) {
       {"yoyo", {{"gamma_i", "2"}, {"form", "trace"}}},
       {"stand", {{"target", "inside"}, {"margin", "0.1"}, {"base", "2%"}}},
       {"float", {{"draft", "60%"}, {"fluid_density", "1.2"}}},
-      {"balance", {{"point", "0,0,0"}, {"line", "0,1,0"}}}};
+      {"balance", {{"point", "0,0,0"}, {"line", "0,1,0"}}},
+      {"hang", {{"point", "0,0,19"}, {"line", "0,0,1"}}},
+      {"die", {}}};
   const Body body = body_of(box_mesh({-0.5, -0.25, -0.1}, {0.5, 0.25, 1.9}), 10);
   for (const ProblemEntry& entry : problems()) {
     ASSERT_TRUE(valid.contains(entry.name)) << entry.name;

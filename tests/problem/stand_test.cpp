@@ -195,7 +195,12 @@ TEST(MakeStand, RefusesUnfitSettingsAndBodies) {
     expect_refused("stand", {{"base", base}}, body, std::string("problem.base = ") + base + " for stand");
   expect_refused("stand", {{"lambda", "1"}}, body, "problem.lambda = 1 for stand");
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5, Vec3(1, 2, 0).normalized()).toRotationMatrix();
-  expect_refused("stand", {}, body_of(moved(body.local, turn, Vec3::Zero())), "no base to stand on");
+  const Body on_a_corner = body_of(moved(body.local, turn, Vec3::Zero()));
+  expect_refused("stand", {{"base", "0.1%"}}, on_a_corner, "no base to stand on");
+  const auto baseless = make_problem("stand", {}, on_a_corner);
+  EXPECT_NE(baseless->impossible().find("test has no base to stand on as it lies"), std::string::npos);
+  EXPECT_FALSE(baseless->verify(body.solid, 50).ok);
+  EXPECT_TRUE(make_problem("stand", {}, body)->impossible().empty());
 }
 
 }  // namespace

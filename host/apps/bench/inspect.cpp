@@ -62,6 +62,12 @@ void print_solid(const SolidReport& s, double density) {
   fmt::print("  centre     {} mm\n", place_text(s.centre));
   for (int k = 0; k < 3; ++k)
     fmt::print("  principal  {:.6g} g mm^2 about {}\n", s.principal[k], text(s.axes.col(k)));
+  constexpr std::size_t most_rests = 8;
+  for (std::size_t i = 0; i < s.rests.size() && i < most_rests; ++i)
+    fmt::print("  rest:{:<5} {:.1f} % of drops, up {}, on {:.4g} mm^2, topples at {:.2f} degrees\n", i + 1,
+               100 * s.rests[i].probability, text(s.rests[i].up), s.rests[i].area, s.rests[i].tilt_degrees);
+  if (s.rests.size() > most_rests)
+    fmt::print("             and {} more ways of lying\n", s.rests.size() - most_rests);
   for (const auto& [name, verdict] : s.verdicts)
     fmt::print("  {:<10} {}: {}\n", name, verdict.ok ? "yes" : "no", verdict.text);
 }
@@ -87,6 +93,12 @@ json to_json(const SolidReport& s) {
   j["centre_of_mass_mm"] = array(s.centre);
   j["principal_moments_g_mm2"] = array(s.principal);
   for (int k = 0; k < 3; ++k) j["principal_axes"].push_back(array(s.axes.col(k)));
+  j["rests"] = json::array();
+  for (const RestReport& rest : s.rests)
+    j["rests"].push_back({{"up", array(rest.up)},
+                          {"probability", rest.probability},
+                          {"tilt_degrees", rest.tilt_degrees},
+                          {"area_mm2", rest.area}});
   for (const auto& [name, verdict] : s.verdicts) {
     json& one = j["verified"][name];
     one["ok"] = verdict.ok;

@@ -29,9 +29,12 @@ struct Purpose {
 };
 
 const Purpose purposes[] = {
-    {"spin", "a spinning top: it spins about the axis", {"axis", "contact"}},
+    {"spin", "a spinning top: it spins about the axis", {"axis", "axis-through", "contact", "stem", "tip"}},
     {"yoyo", "a yo-yo: it spins about its axle", {"axis", "contact", "axle", "slot", "axle-depth"}},
-    {"stand", "it stands on what is lowest", {"up", "problem.target"}},
+    {"stand", "it stands on what is lowest", {"up", "flatten", "problem.target"}},
+    {"balance", "its centre of mass is at a point, or on a line", {"up", "problem.point", "problem.line"}},
+    {"hang", "hung from a point it keeps its pose", {"problem.point", "problem.line"}},
+    {"die", "a fair die: its faces come up alike", {}},
     {"float", "it floats upright at a given draft", {"up", "problem.draft", "problem.fluid_density"}},
 };
 
@@ -48,7 +51,7 @@ void add_options(CLI::App& app, Parsed& parsed, const Purpose& purpose) {
   const RunKind& solve = kreisel::core::find_run_kind("solve");
   run.add_model(app);
   parsed.outputs.add(app, "the part");
-  run.add(app, {&solve}, purpose.fields);
+  if (purpose.fields.size() > 0) run.add(app, {&solve}, purpose.fields);  // none would be all
   run.add(app, "--wall", "wall", "least wall: mm, or 2% (of the longest side, the default), or 1.5h (cells)");
   run.add(app, {&solve},
           {"unit", "weld", "size", "density", "interior-density", "void-density", "fineness", "device"});
@@ -83,6 +86,7 @@ int make(Parsed& parsed, const std::string& problem) {
   config.formulation = "quadric";
   config.grid.resolution = 128;
   config.wall = kreisel::core::parse_wall("2%");
+  if (problem == "stand") config.settings["problem.target"] = "max-tilt";
   parsed.run.apply(config);
   const DesignOutputs& outputs = parsed.outputs;
   outputs.require_writable();

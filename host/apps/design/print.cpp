@@ -41,6 +41,9 @@ constexpr Quantity quantities[] = {
     {"heel_degrees", "heels at rest, degrees"},
     {"excess_mass", "mass over displaced, share"},
     {"draft_mm", "draft, mm"},
+    {"turns_degrees", "turns when hung, degrees"},
+    {"least_share", "the rarest face, share"},
+    {"most_share", "the commonest face, share"},
 };
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-"; }
@@ -100,13 +103,16 @@ void print_design(const Design& d) {
              r.config.problem, size[0], size[1], size[2], r.density, text(r.axis, 3), text(r.contact, 2));
   for (const std::string& line : r.repairs) fmt::print("  repaired   {}\n", line);
   if (!d.feasible()) {
-    fmt::print("  infeasible {}\n  would help {}\n", r.infeasibility, r.remedies);
-    if (!d.other_axes.empty()) fmt::print("  or         {}\n", d.other_axes);
+    fmt::print("  infeasible {}\n", r.infeasibility);
+    const bool both = !r.remedies.empty() && !d.other_axes.empty();
+    if (!r.remedies.empty()) fmt::print("  would help {}\n", r.remedies);
+    if (!d.other_axes.empty()) fmt::print("  {} {}\n", both ? "or        " : "would help", d.other_axes);
     const std::string& verb = find_problem(r.config.problem).verb;
     fmt::print("nothing written: no interior lets this body {} as asked\n",
                verb.empty() ? r.config.problem : verb);
     return;
   }
+  if (!d.pose.empty()) fmt::print("  pose       {}\n", d.pose);
   print_table(d);
   fmt::print("  misses     {}\n", residual_text(d.residual));
   if (std::isfinite(d.wall))
@@ -126,6 +132,7 @@ void print_design(const Design& d) {
   for (const WrittenMould& mould : d.moulds) print_mould(mould);
   fmt::print("  took       {:.1f} s, {:.2g} GiB; {} triangles, {} of them around voids\n", r.whole_seconds,
              r.peak_bytes / (1 << 30), r.verified.triangles, r.verified.void_triangles);
+  if (!d.other_axes.empty()) fmt::print("  would help {}\n", d.other_axes);
   fmt::print("{}\n", r.verified.verdict.text);
 }
 

@@ -1,0 +1,149 @@
+#include "body/resting.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "body/support_polygon.hpp"
+#include "geometry/rotation.hpp"
+
+namespace kreisel::core {
+namespace {
+
+using Index = std::uint32_t;
+
+const double joins_cosine = std::cos(ground_degrees * std::numbers::pi / 180);
+const double bends_cosine = std::cos(10 * std::numbers::pi / 180);
+
+double area_of(const ConvexHull& hull, std::size_t f) {
+  const Vec3 &a = hull.corner(f, 0), &b = hull.corner(f, 1), &c = hull.corner(f, 2);
+  return (b - a).cross(c - a).norm() / 2;
+}
+
+/// Whether facet f lies in the plane of `of`, as far as a ground goes.
+bool joins(const ConvexHull& hull, std::size_t f, std::size_t of) {
+  const Vec3& n = hull.normals[of];
+  if (hull.normals[f].dot(n) < joins_cosine) return false;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (n.dot(hull.corner(of, 0) - hull.corner(f, k)) > ground_play) return false;
+  return true;
+}
+
+/// Of the facets that reach each other from `from`, those that join its plane. Convex, so they hang together.
+Ground ground_around(const ConvexHull& hull, Index from, std::vector<std::uint8_t>& seen) {
+  Ground ground;
+  ground.facets = {from};
+  ground.down = hull.normals[from];
+  seen[from] = 1;
+  double rim = 0, round = 0;
+  for (std::size_t i = 0; i < ground.facets.size(); ++i) {
+    const Index f = ground.facets[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index next = hull.beside[f][k];
+      if (seen[next]) continue;
+      if (joins(hull, next, from)) {
+        seen[next] = 1;
+        ground.facets.push_back(next);
+        continue;
+      }
+      const double length = (hull.corner(f, (k + 1) % 3) - hull.corner(f, k)).norm();
+      rim += length;
+      if (hull.normals[next].dot(ground.down) > bends_cosine) round += length;
+    }
+  }
+  for (const Index f : ground.facets) seen[f] = 0;
+  ground.rounded = round > 0.9 * rim;
+  return ground;
+}
+
+/// The corners of a ground, seen from above, z along up.
+SupportPolygon outline(const ConvexHull& hull, const Ground& ground, const Eigen::Matrix3d& turn) {
+  std::vector<Vec2> points;
+  for (const Index f : ground.facets)
+    for (std::size_t k = 0; k < 3; ++k) points.emplace_back((turn * hull.corner(f, k)).head<2>());
+  return hull_of(std::move(points));
+}
+
+/// Across which edge of facet f a body falls whose centre of mass is over none of what carries it: the one
+/// that it is farthest outside of. Nothing where it is over f.
+std::optional<Index> rolls_to(const ConvexHull& hull, Index f, const Vec3& centre) {
+  double farthest = 0;
+  std::optional<Index> next;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 &a = hull.corner(f, k), &b = hull.corner(f, (k + 1) % 3);
+    const Vec3 outward = (b - a).cross(hull.normals[f]).normalized();
+    const double out = outward.dot(centre - a);
+    if (out > farthest) farthest = out, next = hull.beside[f][k];
+  }
+  return next;
+}
+
+}  // namespace
+
+const ConvexHull& LazyHull::of(const std::vector<Vec3>& vertices) const {
+  std::call_once(made_->once, [&] { made_->hull = convex_hull(vertices); });
+  return made_->hull;
+}
+
+double solid_angle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u = a - p, v = b - p, w = c - p;
+  const double l = u.norm(), m = v.norm(), n = w.norm();
+  return 2 * std::atan2(u.dot(v.cross(w)), l * m * n + u.dot(v) * n + v.dot(w) * l + w.dot(u) * m);
+}
+
+std::optional<Ground> ground_of(const ConvexHull& hull, const Vec3& up) {
+  std::vector<std::uint8_t> seen(hull.facets.size(), 0);
+  std::optional<Ground> best;
+  double largest = -1;
+  for (Index f = 0; f < hull.facets.size(); ++f) {
+    const double area = area_of(hull, f);
+    if (hull.normals[f].dot(-up) < joins_cosine || area <= largest) continue;
+    largest = area;
+    best = ground_around(hull, f, seen);
+  }
+  return best;
+}
+
+std::vector<RestingPose> resting_poses(const ConvexHull& hull, const Vec3& centre) {
+  const std::size_t n = hull.facets.size();
+  std::vector<double> areas(n);
+  for (std::size_t f = 0; f < n; ++f) areas[f] = area_of(hull, f);
+  std::vector<Index> order(n);
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::stable_sort(order, std::greater<>{}, [&](Index f) { return areas[f]; });
+
+  constexpr Index none = ~Index{0};
+  std::vector<Index> pose_of(n, none);
+  std::vector<std::uint8_t> seen(n, 0);
+  std::vector<RestingPose> poses;
+  for (const Index f : order) {
+    if (pose_of[f] != none) continue;
+    RestingPose pose{ground_around(hull, f, seen), -hull.normals[f]};
+    const Eigen::Matrix3d turn = axis_to_z(pose.up);
+    const SupportPolygon carried = outline(hull, pose.ground, turn);
+    pose.stable = !carried.corners.empty() && carried.inside((turn * centre).head<2>()) > 0;
+    pose.area = carried.area;
+    for (const Index g : pose.ground.facets)
+      if (pose_of[g] == none) pose_of[g] = static_cast<Index>(poses.size());
+    poses.push_back(std::move(pose));
+  }
+  for (Index f = 0; f < n; ++f) {
+    Index at = f;
+    // The centre of mass falls with every facet, so none comes twice; round-off may disagree.
+    for (std::size_t step = 0; step < n && !poses[pose_of[at]].stable; ++step) {
+      const auto next = rolls_to(hull, at, centre);
+      if (!next) break;
+      at = *next;
+    }
+    poses[pose_of[at]].probability +=
+        solid_angle(centre, hull.corner(f, 0), hull.corner(f, 1), hull.corner(f, 2)) / (4 * std::numbers::pi);
+  }
+  std::ranges::stable_sort(poses, [](const RestingPose& a, const RestingPose& b) {
+    return a.probability != b.probability ? a.probability > b.probability : a.area > b.area;
+  });
+  return poses;
+}
+
+}  // namespace kreisel::core
