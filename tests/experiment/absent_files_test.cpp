@@ -115,7 +115,7 @@ TEST_F(AbsentFiles, OfSolvesAndMapsAreSkippedAsWell) {
 TEST_F(AbsentFiles, AreLeftOutOfEveryKindOfTableWithANote) {
   for (const TableKind& kind : table_kinds()) {
     const std::string run =
-        kind.nestings ? "outer = 'absent.stl'\nseed = [1, 2]"
+        kind.nestings ? "outer = 'absent.stl'\nfree = 'all'\nseed = [1, 2]"
         : kind.runs == "map"
             ? "axes = 2\nmodel = 'absent.stl'\nproblem = ['spin', 'float']"
             : "kind = '" + std::string(kind.runs) + "'\nmodel = 'absent.stl'\nresolution = [32, 48]";
