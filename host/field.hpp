@@ -33,9 +33,9 @@ struct Field {
   /// The value as set() takes it; empty: there is none.
   std::function<std::string(const T& run)> text;
   Identity identity = Identity::changed;
-  int words = 1;             ///< that its value consists of (words.hpp); 0: any number of them
-  bool shapes = false;       ///< its words name shapes: models, or mesh files that are read
-  std::string_view group{};  ///< under which help lists it
+  int words = 1;                ///< that its value consists of (words.hpp); 0: any number of them
+  bool shapes = false;          ///< its words name shapes: models, or mesh files that are read
+  std::string_view group = "";  ///< under which help lists it
 };
 
 template <class T>

@@ -72,9 +72,4 @@ std::map<std::string, std::string> describe(const SimulationRun& run) {
 
 std::string run_name(const SimulationRun& run) { return run_name(run, describe(run), "simulation"); }
 
-std::string_view emit_simulation_fields() {
-  std::string_view none;
-  return none;
-}
-
 }  // namespace kreisel::core

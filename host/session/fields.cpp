@@ -332,9 +332,4 @@ const Fields<RunConfig>& solve_fields() {
   return all;
 }
 
-std::string_view emit_fields() {
-  std::string_view none;
-  return none;
-}
-
 }  // namespace kreisel::core

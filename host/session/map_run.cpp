@@ -94,9 +94,4 @@ std::map<std::string, std::string> describe(const MapRun& map) {
 
 std::string run_name(const MapRun& map) { return run_name(map, describe(map), "map"); }
 
-std::string_view emit_map_run() {
-  std::string_view none;
-  return none;
-}
-
 }  // namespace kreisel::core

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-SolverOptions options_of_sweep(const RunConfig& config, const SolverEntry& solver) {
+SolverOptions options_of_sweep(const Asked& config, const SolverEntry& solver) {
   SolverOptions options = parse_solver_options(settings_of(config, "solver"));
   // A hundred-thousandth of what a verdict asks for. The last digits would cost most of the time, near
   // directions across the rays above all, where a plane turns whole rays on and off.
@@ -25,7 +25,7 @@ bool bounded(const LinearConstraints& rows) {
 
 }  // namespace
 
-Sweep::Sweep(const Stages& stages, const RunConfig& config, const Control& control)
+Sweep::Sweep(const Stages& stages, const Asked& config, const Control& control)
     : stages_(stages),
       asked_(find_problem(config.problem)),
       solver_(find_solver("moment", "quadric")),

@@ -23,7 +23,7 @@ struct MapAnswer {
 class Sweep {
  public:
   /// @param stages   of `config`, whose formulation is quadric; outlive the sweep, as does `control`
-  Sweep(const Stages& stages, const RunConfig& config, const Control& control);
+  Sweep(const Stages& stages, const Asked& config, const Control& control);
 
   /// Lays the body. Model coordinates. @param axis  any length but zero
   void turn(const Vec3& axis, const Vec3& contact);

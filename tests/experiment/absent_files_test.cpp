@@ -117,7 +117,8 @@ TEST_F(AbsentFiles, AreLeftOutOfEveryKindOfTableWithANote) {
     const std::string of = kind_set_out_by(name);
     const std::string run = of == "nesting" ? "outer = 'absent.stl'\nseed = [1, 2]"
                             : of == "map"   ? "axes = 2\nmodel = 'absent.stl'\nproblem = ['spin', 'float']"
-                                            : "model = 'absent.stl'\nresolution = [32, 48]";
+                                            : "kind = '" + (of.empty() ? "solve" : of) +
+                                                "'\nmodel = 'absent.stl'\nresolution = [32, 48]";
     const Experiment experiment = parse_experiment("table = '" + name + "'\n[[run]]\n" + run, "t.toml");
     const Tables tables = tables_of(experiment, collect(experiment, options_.results));
     for (const Block& block : tables.blocks) {
@@ -134,7 +135,7 @@ TEST_F(AbsentFiles, AreNotModelsNorNamesThatNobodyKnows) {
   for (const char* model :
        {"bear", "bunny", "beer"}) {  // of ours, of Debian's, of nobody: that one is refused
     ExperimentRun run;
-    run.config.body.model = model;
+    run.asked().body.model = model;
     EXPECT_EQ(text_of_absent(run), "") << model;
   }
 }

@@ -241,11 +241,13 @@ TEST(NestExperiments, RefuseKeysOfSolvesAndWhatDoesNotFitWithTheLine) {
   const auto refused = [](const std::string& text, const std::vector<std::string>& parts) {
     expect_refusal([&] { (void)parse_experiment(text, "t.toml"); }, "t.toml: line ", parts);
   };
-  refused("table = 'nestings'\n[[run]]\nmodel = 'bear'", {"line 3", "key 'model' is unknown"});
+  refused("table = 'nestings'\n[[run]]\nmodel = 'bear'",
+          {"line 3", "model: a search of the scale has no such field"});
   refused("table = 'nestings'\n[[run]]\nouter = 'bear'\nfree = 'al'", {"line 4", "free part 'al'"});
-  refused("table = 'nestings'\n[[run]]\nouter = 'bear'\nset.ipopt.tol = 1", {"key 'set' is unknown"});
+  refused("table = 'nestings'\n[[run]]\nouter = 'bear'\nset.ipopt.tol = 1",
+          {"ipopt.tol: a search of the scale has no such field"});
   refused("table = 'nestings'\n[[run]]\nfree = 'all'", {"line 3", "no outer shape"});
-  refused("[[run]]\nouter = 'bear'", {"line 2", "key 'outer' is unknown"});
+  refused("[[run]]\nouter = 'bear'", {"line 2", "expected a table of nestings"});
 }
 
 }  // namespace
