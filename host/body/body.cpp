@@ -90,6 +90,8 @@ void lay(Body& body, const TriangleMesh& mesh, const Vec3& axis, const Vec3& con
 /// Moments in one frame as they are in another of the same length.
 Moments moved_into(const Frame& to, const Moments& s, const Frame& from) {
   return transformed(s, to.rotation * from.rotation.transpose(), to.to_body(from.origin));
+}
+
 /// The mesh without what is lower than `depth` above its lowest point. @throws InputError  that is all of it
 TriangleMesh flattened(const TriangleMesh& mesh, const Vec3& up, double depth) {
   const Eigen::Matrix3d turn = axis_to_z(up);

@@ -114,6 +114,7 @@ const ProblemEntry& checked_problem(const MapSpec& spec) {
     if (!axis.allFinite() || axis.norm() == 0)
       throw InputError(
           fmt::format("axis {} has no direction; expected a non-zero vector", fmt::join(axis, ",")));
+  return asked;
 }
 
 /// What a map says of itself beside its answers.

@@ -38,18 +38,18 @@ class Relaxed final : public Problem {
 };
 
 /// How rows are missed at the moments where the worst is missed least.
-struct Misses {
+struct LeastMisses {
   std::vector<double> amounts;  ///< body units
   double mass;                  ///< there
 };
 
-Misses least_misses(const SolverEntry& solver, const Task& task, const SolverOptions& options,
+LeastMisses least_misses(const SolverEntry& solver, const Task& task, const SolverOptions& options,
                     const std::vector<Eigen::Index>& rows) {
   const Relaxed relaxed(task.problem, rows);
   const Outcome best = solver.solve({relaxed, task.formulation, task.mass, task.device, task.stop}, options);
   const LinearConstraints& c = relaxed.constraints();
   const Eigen::VectorXd value = c.matrix * best.moments;
-  Misses misses{{}, best.moments[S1]};
+  LeastMisses misses{{}, best.moments[S1]};
   for (Eigen::Index r = 0; r < value.size(); ++r)
     misses.amounts.push_back(std::max({0.0, c.lower[r] - value[r], value[r] - c.upper[r]}));
   return misses;
@@ -88,7 +88,7 @@ std::string explain_infeasible(const SolverEntry& solver, const Task& task, cons
     return fmt::format("{} cannot be met, though the linear constraints alone can", more->asked_by());
   };
   if (all.empty()) return more ? only_nonlinear() : "there are no constraints: the solver gave up";
-  const Misses together = least_misses(solver, task, options, all);
+  const LeastMisses together = least_misses(solver, task, options, all);
   const double worst = std::ranges::max(together.amounts);
   // Solvers meet constraints to 1e-9; a miss of a millionth is none that anybody could measure.
   constexpr double none = 1e-6;
@@ -104,7 +104,7 @@ std::string explain_infeasible(const SolverEntry& solver, const Task& task, cons
     };
     if (together.amounts[i] <= none) continue;
     add(shared, together.amounts[i], together.mass);
-    const Misses by_itself = least_misses(solver, task, options, {r});
+    const LeastMisses by_itself = least_misses(solver, task, options, {r});
     add(alone, by_itself.amounts.front(), by_itself.mass);
   }
   std::ranges::stable_sort(alone, std::ranges::greater(), &Miss::amount);
