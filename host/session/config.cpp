@@ -93,7 +93,11 @@ void set_direction(RunConfig& config, std::optional<Vec3>& direction, S key, S v
   if (!parse_vector(value))
     refuse(key, value, rests ? "x,y,z, auto, near:x,y,z or rest:N" : "x,y,z, auto or near:x,y,z");
   direction = vector(key, value);
-  config.free.reset();
+  if (!config.free) return;
+  if (config.free->through)  // of an axis that is given
+    config.free->near = {}, config.free->rest = {};
+  else
+    config.free.reset();
 }
 
 /// Shapes that are made along the axis: what is joined, what is cut off.
@@ -311,10 +315,11 @@ void describe_free(const RunConfig& config, std::map<std::string, std::string>& 
   if (config.body.flatten) fields["flatten"] = fmt::format("{}", *config.body.flatten);
   if (!config.free) return;
   const FreePose& free = *config.free;
-  fields[find_problem(config.problem).upright ? "up" : "axis"] =
-      free.rest   ? fmt::format("rest:{}", *free.rest)
-      : free.near ? "near:" + field_text::text_of(*free.near)
-                  : std::string("auto");
+  if (!config.body.axis)
+    fields[find_problem(config.problem).upright ? "up" : "axis"] =
+        free.rest   ? fmt::format("rest:{}", *free.rest)
+        : free.near ? "near:" + field_text::text_of(*free.near)
+                    : std::string("auto");
   if (free.through) fields["axis-through"] = *free.through == Through::centre ? "centre" : "lowest";
 }
 
