@@ -87,12 +87,21 @@ void read_answers(const hdf5::Group& file, OrientationMap& map) {
   map.answers.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const int status = feasible.values[i];
-    map.answers[i] = {status < 0   ? MapAnswer::undecided
-                      : status > 0 ? MapAnswer::feasible
-                                   : MapAnswer::infeasible,
-                      objective.values[i],
-                      miss.values[i],
-                      {ok.values[i] == 1, "", {}}};
+    MapAnswer& answer = map.answers[i];
+    answer.status = status < 0   ? MapAnswer::undecided
+                    : status > 0 ? MapAnswer::feasible
+                                 : MapAnswer::infeasible;
+    answer.objective = answer.loss = objective.values[i];
+    answer.miss = miss.values[i];
+    answer.verdict.ok = ok.values[i] == 1;
+  }
+  if (file.contains("loss")) {
+    const auto loss = file.read("loss").values;
+    for (std::size_t i = 0; i < n; ++i) map.answers[i].loss = loss.at(i);
+  } else if (file.integer("best_axis") >= 0) {  // early records say but which is the best
+    map.answers[static_cast<std::size_t>(file.integer("best_axis")) * map.cases.size() +
+                static_cast<std::size_t>(file.integer("best_case"))]
+        .loss = -std::numeric_limits<double>::infinity();
   }
   if (!file.contains("values")) return;
   const hdf5::Group values = file.group("values");

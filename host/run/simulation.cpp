@@ -60,7 +60,14 @@ double setting(const Asked& config, const std::string& name, const char* unit, d
 }
 
 std::vector<Toppling> stand_of(const Subject& subject, const Moments& s) {
-  const SupportPolygon base = support_polygon(subject.solid, setting(subject.config, "base", "%", 0.1) / 100);
+  // As the problem has it: by a share of the height, or else what it rests on.
+  const bool by_height = settings_of(subject.config, "problem").contains("base");
+  const SupportPolygon base =
+      by_height ? support_polygon(subject.solid, setting(subject.config, "base", "%", 0.1) / 100)
+                : resting_polygon(subject.solid);
+  if (base.corners.empty())
+    throw InputError(
+        fmt::format("{} has no base to stand on as it lies; expected another --up", subject.solid.name));
   return tilt_the_plane(base, bounding_box(subject.solid.local).lo[2], centre_of_mass(s));
 }
 

@@ -69,12 +69,17 @@ void set_direction(A asked, std::optional<Vec3>& direction, S key, S value, bool
   if (!parse_vector(value))
     refuse(key, value, rests ? "x,y,z, auto, near:x,y,z or rest:N" : "x,y,z, auto or near:x,y,z");
   direction = vector(key, value);
-  asked.free.reset();
+  if (!asked.free) return;
+  if (asked.free->through)  // of an axis that is given
+    asked.free->near = {}, asked.free->rest = {};
+  else
+    asked.free.reset();
 }
 
 /// What set_direction() takes. @param upright  it is the direction that its problem goes by
 std::string direction_text(ConstA asked, const std::optional<Vec3>& direction, bool upright) {
-  if (!asked.free || find_problem(asked.problem).upright != upright) return point_text(direction);
+  if (direction || !asked.free || find_problem(asked.problem).upright != upright)
+    return point_text(direction);
   const FreePose& free = *asked.free;
   return free.rest   ? fmt::format("rest:{}", *free.rest)
          : free.near ? "near:" + text_of(*free.near)

@@ -38,6 +38,7 @@ RunConfig on_few_cells(const RunConfig& config) {
   few.domain.clear();
   few.certify = 0;
   few.body.stem = {};
+  few.body.axle = {};
   std::erase_if(few.settings, [](const auto& setting) { return !setting.first.starts_with("problem."); });
   return few;
 }

@@ -79,6 +79,18 @@ std::string other_poses(Session& session, const RunConfig& config, const Vec3& a
     const FoundPoses found = find_poses(session, here, control);
     if (!found.good.empty()) help.push_back(options_of(open, found.good.front()));
   }
+  if (entry.poses == Poses::any) {
+    // In the same pose, of denser material where any is left: aluminium, steel, lead.
+    for (const double density : {2.7, 7.85, 11.3}) {
+      RunConfig ballast = open;
+      if (density <= std::max(open.body.interior_density.value_or(open.body.density), open.body.void_density))
+        continue;
+      ballast.body.interior_density = density;
+      if (find_poses(session, ballast, control).good.empty()) continue;
+      help.push_back(fmt::format("--interior-density {}", density));
+      break;
+    }
+  }
   if (entry.poses == Poses::rest && !config.body.flatten) {
     RunConfig cut = open;
     cut.flatten = true;

@@ -56,6 +56,10 @@ PoseDirections directions_of(const RunConfig& config, const ProblemEntry& asked,
     directions.list = {body.axis};
     return directions;
   }
+  if (config.body.axis) {  // it is only not said where it runs
+    directions.list = {config.body.axis->normalized()};
+    return directions;
+  }
   if (config.free->rest) {
     directions.list = {nth_rest(body, *config.free->rest)};
     return directions;

@@ -149,9 +149,9 @@ TEST_F(Bench, AFloatThatIsTooHeavyEndsWithThreeAndSaysWhatIsOutOfReach) {
 }
 
 TEST_F(Bench, TheSteepestTiltIsASequenceOfSolves) {
-  const BenchAnswer a =
-      bench(fmt::format("{} --problem stand --set problem.target=max-tilt --json {} --mesh {}", bird,
-                        file("r.json"), file("part.stl")));
+  const BenchAnswer a = bench(fmt::format(
+      "{} --problem stand --set problem.target=max-tilt --set problem.base=0.1% --json {} --mesh {}", bird,
+      file("r.json"), file("part.stl")));
   ASSERT_EQ(a.code, 0) << a.out;
   const auto json = json_of(file("r.json"));
   EXPECT_GT(json.at("steps"), 1);
@@ -167,8 +167,9 @@ TEST_F(Bench, TheSteepestTiltIsASequenceOfSolves) {
 }
 
 TEST_F(Bench, BalancesAtAPointOfTheModelsOwnCoordinates) {
-  const BenchAnswer solid = bench(
-      fmt::format("{} --problem stand --set problem.target=inside --json {}", bird, file("solid.json")));
+  const BenchAnswer solid =
+      bench(fmt::format("{} --problem stand --set problem.target=inside --set problem.base=0.1% --json {}",
+                        bird, file("solid.json")));
   ASSERT_NE(solid.code, 2) << solid.out;
   const auto m = json_of(file("solid.json")).at("moments");
   // Near to a centre of mass that can be had, so there is a way.

@@ -40,6 +40,16 @@ class Lowest(kr.Problem):
         return abs(s[kr.S1] / self.share - 1) < 1e-3, f"{length_mm * s[kr.SZ] / s[kr.S1]:.3f} mm up"
 
 
+class High(Lowest):
+    """The same, and the better the higher it is in its pose."""
+
+    def verify(self, s, length_mm):
+        return True, "is"
+
+    def pose_loss(self, s):
+        return -s[kr.SZ] / s[kr.S1]
+
+
 class WithinACircle(Lowest):
     """As far to +x as a circle about the axis allows: a row that is not linear."""
 
@@ -90,6 +100,20 @@ class Problems(unittest.TestCase):
         part = session.part(answer)
         self.assertTrue(part.verdict, part.verdict.text)
         self.assertIn("mm up", part.verdict.text)
+
+    def test_a_pose_is_found_by_what_the_problem_says(self):
+        session = kr.Session(kr.Body(*box()))
+        stands = session.solve("stand", find="auto", settings={"problem.target": "max-tilt"}, cells=32)
+        self.assertTrue(stands.verdict, stands.message)
+        np.testing.assert_allclose(np.abs(stands.question.up), [0, 0, 1], atol=1e-9)  # on its widest face
+        kr.add_problem("py-high", lambda settings, body: High(0.6), upright=True, poses="any")
+        high = session.solve("py-high", find="auto", cells=32)
+        # Its own loss: as far up as any direction lets the centre of mass be, along the longest edge or beyond it.
+        self.assertGreater(abs(high.question.up[0]), 0.5)
+        with self.assertRaises(kr.InputError):
+            session.solve("balance", find="auto", settings={"problem.point": (0, 0, 0)})
+        with self.assertRaises(kr.InputError):
+            kr.add_problem("py-none", lambda settings, body: High(0.6), poses="some")
 
     def test_agrees_with_ray_reps_by_ipopt(self):
         session = kr.Session(kr.Body(*box()))

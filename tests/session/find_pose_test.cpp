@@ -102,6 +102,16 @@ TEST_F(FindPose, ThroughTheCentreOfMassGetsAStem) {
   EXPECT_EQ(posed(config, found(config).good.front()).body.stem.radius, 2) << "as asked";
 }
 
+TEST_F(FindPose, AnAxisThatIsGivenOnlyGetsItsPlace) {
+  RunConfig config = turned_box({50, 50, 14}, Eigen::Matrix3d::Identity(), "spin");
+  set_field(config, "axis", "0,0,-2");
+  set_field(config, "axis-through", "centre");
+  const FoundPoses poses = found(config);
+  ASSERT_EQ(poses.good.size(), 1u) << poses.text();
+  EXPECT_EQ(poses.good[0].direction, Vec3(0, 0, -1));
+  EXPECT_TRUE(poses.good[0].stem);
+}
+
 TEST_F(FindPose, TheNthWayOfLyingIsByItsProbability) {
   RunConfig config = turned_box({50, 20, 30}, Eigen::Matrix3d::Identity(), "stand");
   config.settings["problem.target"] = "max-tilt";
@@ -202,7 +212,12 @@ TEST(FreePose, IsPartOfWhatARunIs) {
   for (const char* name : {"axis", "axis-through", "tip", "flatten"}) set_field(again, name, fields.at(name));
   EXPECT_EQ(describe(again), fields);
   set_field(again, "axis", "0,0,1");
-  EXPECT_FALSE(again.free) << "a direction takes its place";
+  EXPECT_TRUE(again.free && !again.free->near) << "where it runs is still to be found";
+  EXPECT_EQ(describe(again).at("axis"), "0,0,1");
+  RunConfig third;
+  set_field(third, "up", "rest:2");
+  set_field(third, "up", "0,0,1");
+  EXPECT_FALSE(third.free) << "a direction takes its place";
 }
 
 }  // namespace
