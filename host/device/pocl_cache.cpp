@@ -27,12 +27,13 @@ Folder folder() {
 }  // namespace
 
 std::string trouble_with_pocl_cache() {
-  const auto [named_by, path] = folder();
+  const Folder kernels = folder();  // clang 14 takes no binding into a lambda
+  const std::filesystem::path& path = kernels.path;
   const auto trouble = [&](const char* what) {
     return fmt::format(
         "PoCL's folder of kernels, {} by {}, {}; expected POCL_CACHE_DIR to name a folder that can be "
         "written",
-        path.string(), named_by, what);
+        path.string(), kernels.named_by, what);
   };
   std::error_code failed;
   std::filesystem::create_directories(path, failed);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include "error.hpp"
@@ -82,7 +81,8 @@ std::vector<std::array<std::uint32_t, 3>> fill_polygon(Points points, std::vecto
   Loop polygon = std::move(loops.front());
   // From the right, so that what lies to the right of a hole is joined already.
   const auto rightmost = [&](const Loop& loop) {
-    return std::ranges::max(loop | std::views::transform(by_x(points)));
+    const auto x = by_x(points);
+    return x(*std::ranges::max_element(loop, {}, x));
   };
   std::sort(loops.begin() + 1, loops.end(),
             [&](const Loop& a, const Loop& b) { return rightmost(a) > rightmost(b); });

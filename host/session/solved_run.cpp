@@ -84,7 +84,8 @@ void SolvedRun::solve(const Control& control) {
   repeat_solve(control);
   if (result.outcome.termination != Termination::infeasible) return;
   control.tell("look for what cannot be met");
-  result.infeasibility = explain_infeasible(*solver_, task(), options_, BodyUnits{result.length_mm, result.mass_unit_grams});
+  result.infeasibility =
+      explain_infeasible(*solver_, task(), options_, BodyUnits{result.length_mm, result.mass_unit_grams});
   control.stop_if_asked();  // its solves stopped early, so that what they say would be wrong
 }
 

@@ -44,7 +44,7 @@ extern "C" void on_alarm(int) {
 
 /// Nobody registers a callback with this source, so that to ask is no more than an atomic operation.
 extern "C" void on_signal(int number) {
-  constexpr itimerval patience = {{0, 0}, {0, 850'000}};  // with what it takes to end: within a second
+  constexpr itimerval patience = {{0, 0}, {0, 700'000}};  // with what it takes to end: within a second
   interruptions().request_stop();
   std::signal(number, SIG_DFL);
   std::signal(SIGALRM, on_alarm);

@@ -36,15 +36,15 @@ void refill_ends(TriangleMesh& mesh) {
   const Box box = bounding_box(mesh);
   for (const bool top : {false, true}) {
     const double height = top ? box.hi[2] : box.lo[2];
-    const auto flat = std::ranges::partition(mesh.triangles, [&](const Triangle& t) {
+    const auto flat = std::partition(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
       return std::ranges::any_of(t, [&](std::uint32_t c) { return mesh.vertices[c][2] != height; });
     });
-    auto next = outline({flat.begin(), flat.end()});
-    if (flat.empty() || !next) continue;
+    auto next = outline({flat, mesh.triangles.end()});
+    if (flat == mesh.triangles.end() || !next) continue;
     Polygon points;  // seen from outside
     for (const Vec3& p : mesh.vertices) points.push_back(top ? Vec2(p[0], p[1]) : Vec2(p[1], p[0]));
     const std::vector<Triangle> filled = fill_loops(points, loops_along(std::move(*next)));
-    mesh.triangles.erase(flat.begin(), flat.end());
+    mesh.triangles.erase(flat, mesh.triangles.end());
     mesh.triangles.insert(mesh.triangles.end(), filled.begin(), filled.end());
   }
 }

@@ -77,8 +77,8 @@ TEST_F(WriteMesh, HoldsAnyPlaceInThreeMf) {
     write_mesh(folder_ / "a.3mf", {mesh});
     const TriangleMesh back = read_mesh(folder_ / "a.3mf");
     ASSERT_EQ(back.vertices.size(), mesh.vertices.size());
-    // Floats of 300 where the origin is near; else about a place of six digits, which may be 500 off, cut to six
-    // decimals; doubles of 1e9.
+    // Floats of 300 where the origin is near; else about a place of six digits, which may be 500 off, cut to
+    // six decimals; doubles of 1e9.
     const double rounding = away > 1e3 && away < 1e6 ? 3e-6 : 3.2e-5;
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
       EXPECT_LE((back.vertices[i] - mesh.vertices[i]).cwiseAbs().maxCoeff(), rounding) << away;
