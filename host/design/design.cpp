@@ -202,6 +202,7 @@ std::string thinner_wall(Session& session, const DesignSpec& spec, const Control
 Design make_none(Session& session, const DesignSpec& spec, const FoundPoses& found, const Control& control) {
   DesignSpec usual = spec;
   usual.config = in_usual_pose(spec.config);
+  usual.config.body.stem = {};  // it may be what cannot be had
   SolvedRun run(session, usual.config, control);
   Design design{};
   design.config = describe(spec);

@@ -131,11 +131,12 @@ struct Offers {
   bool derivatives = false;  ///< of the moments in bounded variables: pull_back() and curvature()
   bool refinement = false;   ///< refines()
   bool voxels = false;       ///< each variable is the fill of one voxel
+  bool heights = false;      ///< variables are heights along rays, where material begins and ends
   bool oracle = false;       ///< oracle()
 
   [[nodiscard]] bool has(const Offers& needs) const {
     return (derivatives || !needs.derivatives) && (refinement || !needs.refinement) &&
-           (voxels || !needs.voxels) && (oracle || !needs.oracle);
+           (voxels || !needs.voxels) && (heights || !needs.heights) && (oracle || !needs.oracle);
   }
 };
 

@@ -112,7 +112,7 @@ Question in_pose(Question question, const core::RunConfig& found) {
 Solution solve_open(core::Session& session, const Question& question, const core::RunConfig& open,
                     const core::Along rays, const Control& control) {
   const core::FoundPoses found = core::find_poses(session, open, control);
-  const core::RunConfig usual = core::in_usual_pose(open);
+  core::RunConfig usual = core::in_usual_pose(open);
   for (const core::PoseCandidate& candidate : found.good) {
     const core::RunConfig config = core::posed(open, candidate);
     core::SolvedRun run(session, config, control, rays);
@@ -121,6 +121,7 @@ Solution solve_open(core::Session& session, const Question& question, const core
     if (question.certify > 0) run.certify(control);
     return solution_of(in_pose(question, config), run);
   }
+  usual.body.stem = {};  // it may be what cannot be had
   core::SolvedRun run(session, usual, control, rays);
   run.result.outcome.termination = core::Termination::infeasible;
   run.result.outcome.message = "no pose will do";

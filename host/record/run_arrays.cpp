@@ -1,5 +1,7 @@
 #include "record/run_arrays.hpp"
 
+#include "formulation/formulation.hpp"
+
 namespace kreisel::core {
 
 using hdf5::Group;
@@ -48,7 +50,7 @@ void write_cells(Group& group, const std::vector<Cube>& cells) {
 
 /// What one unit of x is, in words and as a length: the ray-rep may count in cells.
 void write_variables(Group& group, const RunResult& r) {
-  const bool heights = r.config.formulation == "rayrep";
+  const bool heights = find_formulation(r.config.formulation).offers.heights;
   const auto settings = settings_of(r.config, "formulation");
   const auto unit = settings.find("unit");
   const bool cells = unit == settings.end() || unit->second == "cell";

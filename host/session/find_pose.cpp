@@ -105,7 +105,7 @@ class Search {
                          : asked_.centred ? stages_.body->frame.to_model(centre_of_mass(stages_.body->solid))
                                           : contact_of(*stages_.body, direction, through);
     sweep_.turn(direction, contact);
-    bool good = false, possible = false, decided = true;
+    bool good = false, possible = false, decided = true, never = true;
     for (const ProblemSettings& settings : choices) {
       control_.stop_if_asked();
       const auto answer = sweep_.answer(settings);
@@ -125,11 +125,12 @@ class Search {
       good |= tried.ok;
       possible |= answer->status == MapAnswer::feasible;
       decided &= answer->status != MapAnswer::undecided;
+      never &= answer->impossible;
       all.push_back(std::move(tried));
     }
     ++count.tried;
     count.good += good;
-    if (!possible) ++(decided ? count.infeasible : count.undecided);
+    if (!possible) ++(never ? count.impossible : decided ? count.infeasible : count.undecided);
     if (count.tried % 50 == 0) control_.tell(fmt::format("{} {}", count.tried, count.what));
   }
 
@@ -224,11 +225,12 @@ class Search {
 std::string PosesTried::text() const {
   std::string words = fmt::format("{} {} were tried", tried, what);
   if (spacing > 0) words += fmt::format(", {:.0f} degrees apart and finer near the best", spacing);
-  const std::size_t fail = tried - good - infeasible - undecided;
+  const std::size_t fail = tried - good - infeasible - undecided - impossible;
   words += fmt::format(": {} will do", good == 0 ? "none" : std::to_string(good));
   if (infeasible > 0)
     words += fmt::format(
         "; for {} no interior meets what is asked, each with a quadric that separates the two", infeasible);
+  if (impossible > 0) words += fmt::format("; in {} no interior whatever can, as without a base", impossible);
   if (fail > 0) words += fmt::format("; {} can be balanced, but the best interior does not do it", fail);
   if (unjoined > 0)
     words += fmt::format(
@@ -293,7 +295,7 @@ FoundPoses flattened_least(Session& session, RunConfig config, const Control& co
     FoundPoses found = at(share);
     ++count.tried;
     if (found.good.empty()) {
-      ++count.infeasible;
+      ++count.impossible;
       too_little = share;
       continue;
     }

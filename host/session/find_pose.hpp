@@ -25,8 +25,9 @@ struct PosesTried {
   std::string what;    ///< "axes through the lowest point"
   double spacing = 0;  ///< degrees between neighbours; 0: all that there are
   std::size_t tried = 0, infeasible = 0, undecided = 0;
-  std::size_t good = 0;      ///< whose optimum does what was asked
-  std::size_t unjoined = 0;  ///< of the best of those: where no stem can be joined
+  std::size_t impossible = 0;  ///< whatever is inside, as to stand where it does not rest
+  std::size_t good = 0;        ///< whose optimum does what was asked
+  std::size_t unjoined = 0;    ///< of the best of those: where no stem can be joined
 
   [[nodiscard]] std::string text() const;
 };

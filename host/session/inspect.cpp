@@ -68,7 +68,8 @@ kreisel::SolidReport solid_of(const Body& body) {
   const ConvexHull& hull = body.hull.of(body.mesh.vertices);
   for (const RestingPose& pose : resting_poses(hull, s.centre))
     if (pose.stable)
-      s.rests.push_back({pose.up, pose.probability, topples_at(hull, pose, s.centre), pose.area});
+      s.rests.push_back(
+          {pose.up + Vec3::Zero(), pose.probability, topples_at(hull, pose, s.centre), pose.area});
   return s;
 }
 

@@ -102,12 +102,12 @@ namespace {
 /// @throws InputError  a problem that has no map, no axes, one without a direction
 const ProblemEntry& checked_problem(const MapSpec& spec) {
   const ProblemEntry& asked = find_problem(spec.config.problem);
-  if (!asked.map) {
+  if (asked.poses != Poses::any) {
     std::vector<std::string_view> mapped;
     for (const ProblemEntry& other : problems())
-      if (other.map) mapped.push_back(other.name);
-    throw InputError(
-        fmt::format("a map of {}; expected the problem {}", asked.name, fmt::join(mapped, " or ")));
+      if (other.poses == Poses::any) mapped.push_back(other.name);
+    throw InputError(fmt::format("a map of {}; expected a problem that any direction will do for: {}",
+                                 asked.name, fmt::join(mapped, ", ")));
   }
   if (spec.axes.empty()) throw InputError("a map without axes; expected one or more");
   for (const Vec3& axis : spec.axes)
@@ -140,7 +140,8 @@ OrientationMap map_orientations(Session& session, const MapSpec& spec, const Con
   const ProblemEntry& asked = checked_problem(spec);
   OrientationMap map;
   map.config = spec.config;
-  map.cases = cases_of(spec, *asked.map);
+  const MapCases cases = asked.map.value_or(MapCases{});
+  map.cases = cases_of(spec, cases);
   map.through = spec.through;
   map.asked = spec.axes.size();
   const Stages stages = session.stages(map.config, control);
@@ -165,7 +166,7 @@ OrientationMap map_orientations(Session& session, const MapSpec& spec, const Con
     sweep.turn(spec.axes[i], contacts[i]);
     std::vector<MapAnswer> here;
     for (const std::string& at_case : map.cases) {
-      if (!at_case.empty()) settings[asked.map->setting] = at_case;
+      if (!at_case.empty()) settings[cases.setting] = at_case;
       std::optional<MapAnswer> answer = sweep.answer(settings);
       if (!answer) break;
       here.push_back(std::move(*answer));

@@ -16,9 +16,10 @@ namespace {
 RunConfig settled(Session& session, const RunConfig& config, std::string& none, const Control& control) {
   if (!leaves_open(config)) return config;
   const FoundPoses found = find_poses(session, config, control);
-  const RunConfig usual = in_usual_pose(config);
+  RunConfig usual = in_usual_pose(config);
   if (found.good.empty()) {
     none = found.text();
+    usual.body.stem = {};  // it may be what cannot be had
     return usual;
   }
   return posed(config, found.good.front());

@@ -42,6 +42,7 @@ std::optional<MapAnswer> Sweep::answer(const ProblemSettings& settings) const {
   std::unique_ptr<Problem> posed = asked_.make(settings, turned_);
   if (!posed->impossible().empty()) {
     result.status = MapAnswer::infeasible;
+    result.impossible = true;
     return result;
   }
   const Turned problem(std::move(posed), turned_.frame.rotation * laid.frame.rotation.transpose(),

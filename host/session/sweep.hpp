@@ -16,7 +16,8 @@ struct MapAnswer {
   double loss = 0;       ///< Problem::pose_loss() there; NaN when not feasible
   double miss = 0;       ///< distance of what can be attained from what is asked (distance_to_rows.hpp); 0 if
                          ///< feasible, NaN where rows are open to one side
-  Verdict verdict;       ///< of the optimum's own moments, when feasible; not of a written mesh
+  bool impossible = false;  ///< infeasible whatever is inside (Problem::impossible()); nothing was solved
+  Verdict verdict;          ///< of the optimum's own moments, when feasible; not of a written mesh
 };
 
 /// Poses a problem by turning it: the domain is never touched again.

@@ -90,6 +90,16 @@ TEST_F(Poses, NoneThatWillDoSaysHowManyWereTried) {
   EXPECT_FALSE(fs::exists(file("part.stl")));
 }
 
+TEST_F(Poses, AStemThatCannotBeJoinedIsSaidWithTheCount) {
+  // A ring about z: no stem along its axis, which runs through the hole.
+  const TriangleMesh ring = upright_torus_mesh(20, 6, 48, 24);  // its axis is y
+  write_mesh(file("ring.off"), {ring});
+  const BenchAnswer a = make(fmt::format("spin {} --axis 0,1,0 --through centre --stem 2", file("ring.off")));
+  EXPECT_EQ(a.code, 3) << a.out;
+  EXPECT_NE(a.out.find("no stem can be joined"), std::string::npos) << a.out;
+  EXPECT_FALSE(fs::exists(file("part.stl")));
+}
+
 TEST_F(Poses, BalanceHangAndDieMakeParts) {
   for (const char* asked :
        {"balance cuboid --point 33,20,15", "hang cuboid --point 33,20,30", "hang duck --fineness 24"}) {

@@ -21,7 +21,8 @@ std::string share(std::size_t part, std::size_t whole) {
 void print_map(const OrientationMap& map) {
   const std::size_t n = map.axes.size();
   const ProblemEntry& asked = find_problem(map.config.problem);
-  const bool spins = !asked.upright, cases = !asked.map->setting.empty();
+  const std::string setting = asked.map.value_or(MapCases{}).setting;
+  const bool spins = !asked.upright, cases = !setting.empty();
   fmt::print("{}: map of {} on {}{}\n", map.body_name, map.config.problem, map.provenance.device,
              map.provenance.single_precision ? " (single precision, compensated)" : "");
   fmt::print("  domain     {} {} x {} x {} of {:.4g} mm, wall {} = {:.4g} mm: {} rays\n", map.domain,
@@ -36,7 +37,7 @@ void print_map(const OrientationMap& map) {
   for (std::size_t c = 0; c < map.cases.size(); ++c) {
     const std::size_t undecided = map.count(c, MapAnswer::undecided);
     fmt::print("  {:<10} {} feasible, {} {}{}\n",
-               cases ? asked.map->setting + " " + map.cases[c] : "possible",
+               cases ? setting + " " + map.cases[c] : "possible",
                share(map.count(c, MapAnswer::feasible), n), share(map.count_ok(c), n),
                asked.verb.empty() ? asked.name : asked.verb,
                undecided ? fmt::format(", {} undecided", share(undecided, n)) : "");
@@ -49,7 +50,7 @@ void print_map(const OrientationMap& map) {
   const MapAnswer& answer = map.at(best->axis, best->at_case);
   const Vec3& a = map.axes[best->axis];
   fmt::print("  best       axis {:.4f},{:.4f},{:.4f}{}: objective {:.6f}, {}\n", a[0], a[1], a[2],
-             cases ? fmt::format(" at {} {}", asked.map->setting, map.cases[best->at_case]) : "",
+             cases ? fmt::format(" at {} {}", setting, map.cases[best->at_case]) : "",
              answer.objective, answer.verdict.text);
   fmt::print("  make it    {}\n", map.command(*best));
 }

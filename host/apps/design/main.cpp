@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
 #include <string>
 
 #include "apps/design/nest.hpp"
@@ -22,16 +24,21 @@ using kreisel::core::InputError;
 using kreisel::core::RunKind;
 using namespace kreisel::core::apps;
 
-/// What `design` can make: a problem, what it says in --help, the options it has of its own.
+/// What `design` can make: a problem, what it says in --help, the options it has of its own, and what they
+/// are where a maker is better served by other ones than a researcher.
 struct Purpose {
   const char *problem, *help;
   std::initializer_list<std::string_view> fields;
+  std::map<std::string, std::string> settings = {};
 };
 
 const Purpose purposes[] = {
-    {"spin", "a spinning top: it spins about the axis", {"axis", "axis-through", "contact", "stem", "tip"}},
+    {"spin", "a spinning top: it spins about the axis", {"axis", "contact", "stem", "tip"}},
     {"yoyo", "a yo-yo: it spins about its axle", {"axis", "contact", "axle", "slot", "axle-depth"}},
-    {"stand", "it stands on what is lowest", {"up", "flatten", "problem.target"}},
+    {"stand",
+     "it stands on what is lowest",
+     {"up", "flatten", "problem.target"},
+     {{"problem.target", "max-tilt"}}},
     {"balance", "its centre of mass is at a point, or on a line", {"up", "problem.point", "problem.line"}},
     {"hang", "hung from a point it keeps its pose", {"problem.point", "problem.line"}},
     {"die", "a fair die: its faces come up alike", {}},
@@ -52,6 +59,11 @@ void add_options(CLI::App& app, Parsed& parsed, const Purpose& purpose) {
   run.add_model(app);
   parsed.outputs.add(app, "the part");
   if (purpose.fields.size() > 0) run.add(app, {&solve}, purpose.fields);  // none would be all
+  if (std::ranges::find(purpose.fields, "stem") != purpose.fields.end())
+    run.add(
+        app, "--through", "axis-through",
+        "where an axis that is found runs: lowest (point along it) or centre (of mass, on a stem); default "
+        "lowest, else centre");
   run.add(app, "--wall", "wall", "least wall: mm, or 2% (of the longest side, the default), or 1.5h (cells)");
   run.add(app, {&solve},
           {"unit", "weld", "size", "density", "interior-density", "void-density", "fineness", "device"});
@@ -80,13 +92,13 @@ void add_options(CLI::App& app, Parsed& parsed, const Purpose& purpose) {
       ->check(CLI::PositiveNumber);
 }
 
-int make(Parsed& parsed, const std::string& problem) {
+int make(Parsed& parsed, const Purpose& purpose) {
   kreisel::core::RunConfig& config = parsed.spec.config;
-  config.problem = problem;
+  config.problem = purpose.problem;
   config.formulation = "quadric";
   config.grid.resolution = 128;
   config.wall = kreisel::core::parse_wall("2%");
-  if (problem == "stand") config.settings["problem.target"] = "max-tilt";
+  config.settings = purpose.settings;
   parsed.run.apply(config);
   const DesignOutputs& outputs = parsed.outputs;
   outputs.require_writable();
@@ -127,7 +139,8 @@ int dispatch(int argc, char** argv) {
     return done;
   }
   if (*nested) return nest_parts(parsed.nest);
-  return make(parsed, app.get_subcommands().front()->get_name());
+  const std::string asked = app.get_subcommands().front()->get_name();
+  return make(parsed, *std::ranges::find_if(purposes, [&](const Purpose& p) { return p.problem == asked; }));
 }
 
 }  // namespace
