@@ -21,6 +21,7 @@ try:
     import map as orientation_map  # this folder's, beside Python's own
     import nestings
     import records
+    import simulate
     from style import plt
 except ImportError as error:
     print(f"report.py: Python cannot import {error.name}, expected h5py and matplotlib (setup.sh installs them)",
@@ -130,6 +131,8 @@ def read(path):
     """A record of any kind."""
     if records.is_map(path):
         return orientation_map.read(path)
+    if records.schema_of(path) == "kreisel simulation":
+        return {**simulate.read(path), "path": pathlib.Path(path)}
     return nestings.read(path) if records.is_nesting(path) else records.read(path)
 
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "body/source.hpp"
@@ -113,6 +115,39 @@ std::map<std::string, std::string> describe(const DesignSpec& spec) {
 
 namespace {
 
+/// What is written beside a name, and is not there to stay until the whole part is measured.
+class Unfinished {
+ public:
+  explicit Unfinished(const std::filesystem::path& file) : file_(file), before_(here()) {}
+  ~Unfinished() {
+    if (kept_) return;
+    std::error_code ignored;
+    for (const std::filesystem::path& path : here())
+      if (!before_.contains(path)) std::filesystem::remove(path, ignored);
+  }
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+  void keep() { kept_ = true; }
+
+ private:
+  /// The file, and those whose names go on from it: other materials, halves, moulds.
+  [[nodiscard]] std::set<std::filesystem::path> here() const {
+    std::set<std::filesystem::path> found;
+    if (file_.empty()) return found;
+    const std::filesystem::path folder = file_.has_parent_path() ? file_.parent_path() : ".";
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+      if (entry.is_regular_file(ignored) && entry.path().extension() == file_.extension() &&
+          entry.path().stem().string().starts_with(file_.stem().string()))
+        found.insert(entry.path());
+    return found;
+  }
+
+  std::filesystem::path file_;
+  std::set<std::filesystem::path> before_;
+  bool kept_ = false;
+};
+
 /// Where it is infeasible, what would help is left to be found.
 Design make_asked(Session& session, const DesignSpec& spec, const Control& control) {
   Finishing finishing(spec);
@@ -132,6 +167,7 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
   design.config = describe(used);
   design.printer_accuracy = spec.printer_accuracy;
   design.part.outer = run.body().mesh;
+  Unfinished written(spec.file);
   if (run.result.outcome.termination != Termination::infeasible) {
     const StopScope scope(control.stop);
     control.tell("mesh, write, verify");
@@ -153,6 +189,7 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
     design.wall = least_wall(design.part.outer, design.part.cavity);
     design.thinnest = thinnest_material(design.part.outer, design.part.cavity);
   }
+  written.keep();
   design.run = std::move(run.result);
   const RunResult& r = design.run;
   design.before = figures_of(r.solid, 1e3 * r.mass_unit_grams * r.solid[S1] / r.density, r, run.problem());
@@ -224,7 +261,8 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
   if (!leaves_open(spec.config)) return make_posed(session, spec, control);
   // The search's domain is coarse: the best there may miss by a little on the part's own, the next does not.
   constexpr std::size_t most_parts = 4;
-  std::optional<Design> made;
+  std::optional<DesignSpec> first;  // that makes a part, though one that does not do it
+  std::string pose_of_first;
   std::optional<RunConfig> open = spec.config;
   FoundPoses all;
   while (open) {
@@ -236,11 +274,18 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
       Design design = make_asked(session, one, control);
       design.pose = all.text();
       if (design.feasible() && design.run.verified.verdict.ok) return design;
-      if (design.feasible() && !made) made = std::move(design);
+      if (design.feasible() && !first) {
+        first = std::move(one);
+        pose_of_first = design.pose;
+      }
     }
     open = std::move(found.onward);
   }
-  if (made) return *made;
+  if (first) {  // again, as its files were replaced by the next one's
+    Design design = make_asked(session, *first, control);
+    design.pose = pose_of_first;
+    return design;
+  }
   return make_none(session, spec, all, control);
 }
 

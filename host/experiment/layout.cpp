@@ -8,6 +8,11 @@
 #include "error.hpp"
 #include "experiment/columns.hpp"
 #include "experiment/data_folder.hpp"
+#include "nearest.hpp"
+#include "record/map_record.hpp"
+#include "record/nest_record.hpp"
+#include "record/record.hpp"
+#include "record/simulation_record.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel::core {
@@ -18,6 +23,7 @@ namespace fs = std::filesystem;
 /// In the program, for what is run without its data.
 constexpr std::string_view runs_layout = R"(
 summary = "a row a run"
+of      = "solve"
 notes   = "failed"
 legend  = ["{provenance}", { line = "gap %: f lies no further above the least that any interior of the domain has, certified", when = "gap_percent" }]
 columns = [
@@ -115,6 +121,48 @@ void require_format(const std::string& format, const std::string& where) {
   }
 }
 
+/// Names at the top of a summary of any kind: those of an empty result.
+const std::set<std::string>& summary_names() {
+  static const std::set<std::string> all = [] {
+    RunResult run;
+    run.certificate.emplace();
+    run.outcome.local_minimum.emplace();
+    NestResult nest;
+    nest.accuracy.emplace();
+    nest.layers.emplace();
+    nest.timings.push_back({"hybrid"});
+    nest.trace.emplace_back();
+    NestResult outlines;
+    outlines.config.kind = NestOutlines();
+    outlines.landscape.emplace().map = {.nx = 1, .ny = 1, .scale = {0}, .rotation = {0}};
+    Simulation simulation;
+    simulation.termination = "optimal";
+    simulation.part.spin.emplace();
+    std::set<std::string> names = {"provenance", "paper", "heading", "label", "shapes", "trace"};
+    for (const nlohmann::json& summary :
+         {to_json(run), to_json(nest), to_json(outlines), to_json(simulation), to_json(OrientationMap{})})
+      for (const auto& [name, value] : summary.items()) names.insert(name);
+    return names;
+  }();
+  return all;
+}
+
+/// A name that nothing has would be an empty column. @param operand  as it stands in an expression
+void require_known(std::string_view operand, const std::string& where) {
+  std::string_view name = operand.substr(0, operand.find('['));
+  for (const std::string_view prefix : {"converged.", "asked."})
+    if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
+  if (name.starts_with("item.") || name.starts_with("published.") || find_column(name) || is_field(name))
+    return;
+  const std::string first(name.substr(0, name.find('.')));
+  if (summary_names().contains(first) || is_field(first)) return;
+  std::vector<std::string_view> names(summary_names().begin(), summary_names().end());
+  for (const Column& column : columns()) names.push_back(column.name);
+  const std::string meant = nearest(name, names);
+  throw InputError(fmt::format("{}: '{}' is no column, field or part of a record{}", where, name,
+                               meant.empty() ? "" : fmt::format(" (did you mean '{}'?)", meant)));
+}
+
 /// What a column has by the name of its value: a heading, a format, a side.
 void complete(LayoutColumn& column, bool headed) {
   const Column* known = find_column(column.value.substr(0, column.value.find('[')));
@@ -153,7 +201,17 @@ LayoutColumn read_column(const toml::node& node, const std::string& where) {
     throw InputError(fmt::format("{}: line {}: a column is a name in quotes or {{ name = ..., ... }}", where,
                                  node.source().begin.line));
   }
-  require_format(column.format, where);
+  const std::string at = fmt::format("{}: line {}", where, node.source().begin.line);
+  require_format(column.format, at);
+  try {
+    if (column.value.find('{') == std::string::npos)
+      for (const std::string& name : names_in(column.value)) require_known(name, at);
+    else
+      (void)text_of(Row{}, column.value);
+  } catch (const InputError& error) {
+    if (std::string_view(error.what()).starts_with(at)) throw;
+    throw InputError(fmt::format("{}: {}", at, error.what()));
+  }
   complete(column, headed);
   return column;
 }

@@ -36,7 +36,8 @@ class Setter {
       Block made = made_of(block);
       if (!layout_.paper_rows_in.empty())
         for (const json* row : left)
-          if (made.heading.starts_with(value_in(*row, layout_.paper_rows_in).get<std::string>() + " "))
+          if (const json begins = value_in(*row, layout_.paper_rows_in);
+              begins.is_string() && made.heading.starts_with(begins.get<std::string>() + " "))
             made.sheet.add(cells_of_paper(*row, made.heading));
       tables.blocks.push_back(std::move(made));
     }
@@ -53,7 +54,9 @@ class Setter {
  private:
   /// For some run; "published" where there are a paper's numbers.
   [[nodiscard]] bool holds(const Condition& condition) const {
-    return condition.text == "published" ? published_ != nullptr : condition.any(all_);
+    if (condition.text == "published") return published_ != nullptr;
+    if (condition.text == "not published") return published_ == nullptr;
+    return condition.any(all_);
   }
   [[nodiscard]] bool all_hold(const std::vector<Condition>& conditions) const {
     return std::ranges::all_of(conditions, [&](const Condition& c) { return holds(c); });
@@ -106,7 +109,7 @@ class Setter {
     std::vector<Row> rows;
     const json list = run.at(layout_.each);
     for (std::size_t i = 0; list.is_array() && i < list.size(); ++i) {
-      rows.push_back({{&run}, group, published_, list[i]});
+      rows.push_back({{&run}, group, published_, list[i].is_object() ? list[i] : json{{"value", list[i]}}});
       rows.back().item["index"] = i + 1;
     }
     // A run without a record has a row of what was asked, where the others have several.

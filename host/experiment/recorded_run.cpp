@@ -6,6 +6,7 @@
 
 #include "experiment/run_text.hpp"
 #include "experiment/runner.hpp"
+#include "parse.hpp"
 
 namespace kreisel::core {
 
@@ -53,9 +54,8 @@ json value_in(const json& summary, std::string_view name) {
     name.remove_prefix(std::min(dot + 1, name.size()));
     if (at->is_object() && at->contains(word))
       at = &at->at(word);
-    else if (at->is_array() && word.find_first_not_of("0123456789") == word.npos &&
-             std::stoul(word) < at->size())
-      at = &at->at(std::stoul(word));
+    else if (const auto index = parse<std::size_t>(word); at->is_array() && index && *index < at->size())
+      at = &at->at(*index);
     else
       return nullptr;
   }

@@ -85,11 +85,12 @@ bool same_but_for_a_choice(const RecordedRun& a, const RecordedRun& b) {
 
 json ratio_of(const Row& row, std::string_view arguments) {
   const std::size_t comma = arguments.find(',');
-  if (comma == arguments.npos || row.runs.empty())
+  if (comma == arguments.npos)
     throw InputError(
         fmt::format("ratio({}): expected a name and a field, as in ratio(seconds.solve, "
                     "formulation=voxel)",
                     arguments));
+  if (row.runs.empty()) return nullptr;
   const std::string_view name = trimmed(arguments.substr(0, comma));
   const Condition choice{std::string(trimmed(arguments.substr(comma + 1)))};
   const RecordedRun& mine = *row.runs.front();
@@ -111,7 +112,26 @@ bool goes_on(char c) {
 /// The end of the name that begins at `at`, with its choice.
 std::size_t end_of_name(std::string_view text, std::size_t at) {
   while (at < text.size() && goes_on(text[at])) ++at;
-  if (at < text.size() && text[at] == '[') at = std::min(text.find(']', at), text.size() - 1) + 1;
+  if (at == text.size() || text[at] != '[') return at;
+  const std::size_t close = text.find(']', at);
+  if (close == text.npos) throw InputError(fmt::format("'{}': expected ] after [FIELD=VALUE", text));
+  return close + 1;
+}
+
+/// The end of a number that begins at `at`, as 1e-3; `at` where there is none.
+std::size_t end_of_number(std::string_view text, std::size_t at) {
+  const auto digit = [&](std::size_t i) {
+    return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i]));
+  };
+  if (!digit(at)) return at;
+  while (digit(at) || (at < text.size() && text[at] == '.')) ++at;
+  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+    const std::size_t sign = at + 1 < text.size() && (text[at + 1] == '-' || text[at + 1] == '+') ? 2 : 1;
+    if (digit(at + sign)) {
+      at += sign;
+      while (digit(at)) ++at;
+    }
+  }
   return at;
 }
 
@@ -120,6 +140,11 @@ class Arithmetic {
  public:
   Arithmetic(const Row& row, std::string_view text) : row_(row) {
     for (std::size_t at = 0; at < text.size();) {
+      if (const std::size_t number = end_of_number(text, at); number > at) {
+        formula_ += text.substr(at, number - at);
+        at = number;
+        continue;
+      }
       if (!begins_name(text[at])) {
         formula_ += text[at++];
         continue;
@@ -128,10 +153,14 @@ class Arithmetic {
       const std::string_view name = text.substr(at, end - at);
       at = end;
       if (end == text.size() || text[end] != '(') {
+        names_.emplace_back(name);
         variable(operand_of(row_, name));
       } else if (name == "ratio") {
-        const std::size_t close = std::min(text.find(')', end), text.size() - 1);
-        variable(ratio_of(row_, text.substr(end + 1, close - end - 1)));
+        const std::size_t close = text.find(')', end);
+        if (close == text.npos) throw InputError(fmt::format("'{}': expected ) after ratio(", text));
+        const std::string_view arguments = text.substr(end + 1, close - end - 1);
+        names_.emplace_back(trimmed(arguments.substr(0, arguments.find(','))));
+        variable(ratio_of(row_, arguments));
         at = close + 1;
       } else {
         formula_ += name;
@@ -139,12 +168,13 @@ class Arithmetic {
     }
   }
 
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+
   [[nodiscard]] json value() {
-    if (!known_) return nullptr;
     try {
       parser_.SetExpr(formula_);
       const double value = parser_.Eval();
-      return std::isfinite(value) ? json(value) : json();
+      return known_ && std::isfinite(value) ? json(value) : json();
     } catch (const mu::Parser::exception_type& error) {
       throw InputError(fmt::format("'{}': {}", formula_, error.GetMsg()));
     }
@@ -162,6 +192,7 @@ class Arithmetic {
   const Row& row_;
   mu::Parser parser_;
   std::string formula_;
+  std::vector<std::string> names_;  ///< of its operands
   std::deque<double> values_;
   bool known_ = true;
 };
@@ -179,6 +210,8 @@ bool Condition::holds(const RecordedRun& run, const json& item) const {
     holds = value.is_structured() ? !value.empty() : !plain_text(value).empty();
   } else {
     const bool unequal = left[at] == '!';
+    if (unequal && left.substr(at, 2) != "!=")
+      throw InputError(fmt::format("condition '{}'; expected NAME=VALUE, NAME!=VALUE or NAME~VALUE", text));
     const std::string value = plain_text(named(run, item, left.substr(0, at)));
     const std::string_view wanted = left.substr(at + (unequal ? 2 : 1));
     holds = left[at] == '~' ? value.find(wanted) != value.npos : (value == wanted) != unequal;
@@ -218,8 +251,18 @@ std::vector<json> operands_of(const Row& row, std::string_view text) {
 }
 
 bool is_operand(std::string_view expression) {
+  constexpr std::string_view asked = "asked.";
+  const std::string_view field = expression.substr(expression.starts_with(asked) ? asked.size() : 0);
+  if (field.find('-') != field.npos && is_field(field)) return true;  // a name, not a difference
   return !expression.empty() && begins_name(expression.front()) &&
          end_of_name(expression, 0) == expression.size();
+}
+
+std::vector<std::string> names_in(const std::string& expression) {
+  if (is_operand(expression)) return {expression};
+  Arithmetic arithmetic(Row{}, expression);
+  (void)arithmetic.value();
+  return arithmetic.names();
 }
 
 json value_of(const Row& row, const std::string& expression) {
@@ -229,15 +272,20 @@ json value_of(const Row& row, const std::string& expression) {
 namespace {
 
 /// One of "label|shapes|'none'", with a format behind a colon.
-std::optional<std::string> text_of_place(const Row& row, std::string_view place) {
+std::optional<std::string> text_in_place(const Row& row, std::string_view place) {
   const std::size_t colon = place.rfind(':');
   const std::string format(colon == place.npos ? "" : place.substr(colon + 1));
+  (void)fmt::format(fmt::runtime("{:" + format + "}"), 1.0);  // whether or not there is a value to show
   std::string_view names = place.substr(0, colon);
   while (!names.empty()) {
     const std::size_t bar = std::min(names.find('|'), names.size());
     const std::string_view name = trimmed(names.substr(0, bar));
     names.remove_prefix(std::min(bar + 1, names.size()));
-    if (name.starts_with('\'')) return std::string(name.substr(1, name.size() - 2));
+    if (name.starts_with('\'')) {
+      if (name.size() < 2 || !name.ends_with('\''))
+        throw InputError(fmt::format("{{{}}}: words that do not end; expected '", place));
+      return std::string(name.substr(1, name.size() - 2));
+    }
     std::vector<std::string> texts;
     if (is_operand(name)) {
       for (const json& value : operands_of(row, name)) texts.push_back(cell_of(value, format, ", ").text);
@@ -249,6 +297,16 @@ std::optional<std::string> text_of_place(const Row& row, std::string_view place)
       return fmt::format("{}", fmt::join(texts, " | "));
   }
   return std::nullopt;
+}
+
+/// @throws InputError  a format that is none of its value's
+std::optional<std::string> text_of_place(const Row& row, std::string_view place) {
+  try {
+    return text_in_place(row, place);
+  } catch (const fmt::format_error& error) {
+    throw InputError(
+        fmt::format("{{{}}}: {}; expected a format of a number, such as :.3f", place, error.what()));
+  }
 }
 
 }  // namespace

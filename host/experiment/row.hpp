@@ -50,6 +50,10 @@ struct Condition {
 /// @throws InputError  what cannot be read
 [[nodiscard]] nlohmann::json value_of(const Row& row, const std::string& expression);
 
+/// The operands of an expression, as they stand there.
+/// @throws InputError  what cannot be read
+[[nodiscard]] std::vector<std::string> names_in(const std::string& expression);
+
 /// Whether an expression is a single operand, whose column has words and a format of its own.
 [[nodiscard]] bool is_operand(std::string_view expression);
 

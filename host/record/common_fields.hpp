@@ -38,7 +38,16 @@ void provenance_fields(F& f, P& p) {
 /// Sets what a record says was asked for. What is registered in another program alone is taken as it is.
 template <class Config>
 void restore(Config& config, const std::map<std::string, std::string>& texts) {
-  if constexpr (std::is_base_of_v<Asked, Config>) {
+  // What is not said is columns, also of a formulation whose own domain is another.
+  if constexpr (std::is_base_of_v<Asked, Config>) config.domain = "columns";
+  if constexpr (std::is_same_v<Config, SimulationRun>) {
+    for (const auto& [name, text] : texts) {
+      if (find_field(simulation_fields(), name))
+        set_field(simulation_fields(), config, name, text);
+      else
+        set_setting(config, name, text);
+    }
+  } else if constexpr (std::is_base_of_v<Asked, Config>) {
     for (const auto& [name, text] : texts) {
       if (name == "problem")
         config.problem = text;

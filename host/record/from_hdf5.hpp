@@ -154,6 +154,11 @@ class FromHdf5 {
                        " rows, expected 1");
     one = all.front();
   }
+  template <class Row, class Columns>
+  void flat(std::string_view file, std::string_view json, Row& one, const char* units,
+            const Columns& columns) {
+    row(file, json, one, units, columns);
+  }
   template <class Items, class Key, class Each>
   void each(std::string_view path, Items& items, Key key, const Each& visit) {
     if (!there(path)) return;

@@ -32,14 +32,11 @@ constexpr auto error_columns = [](auto& column, auto& e) {
 };
 
 constexpr auto layer_columns = [](auto& column, auto& layer) {
-  using Column = std::remove_reference_t<decltype(column)>;
-  std::optional<double> certified = layer.certified_scale;
-  if (!Column::reading && !(layer.certified_scale > 0)) certified.reset();
   column("outer", layer.outer, "outer_shape");
   column("inner", layer.inner, "inner_shape");
   column("scale", layer.scale);
-  column("certified_scale", certified);
-  if constexpr (Column::reading) layer.certified_scale = certified.value_or(0);
+  column.hidden("certified_scale", layer.certified_scale);  // 0: none
+  column.given("certified_scale", layer.certified_scale > 0 ? json(layer.certified_scale) : json());
   column("ratio", layer.ratio);
   column("longest", layer.longest, "longest_mm");
   column("thickness", layer.thickness, "thickness_mm");
@@ -104,6 +101,11 @@ void landscape_fields(F& f, R& r) {
   f.bulk("landscape", [&](hdf5::Group& group) { write_landscape(group, landscape); });
   if constexpr (F::reading)
     f.load("landscape", [&](const hdf5::Group& group) { read_landscape(group, landscape); });
+  if (!map.scale.empty()) {
+    const double scale = map.scale[map.best()];
+    f.given("scale", scale);
+    if constexpr (F::reading) r.scale = scale;
+  }
   if constexpr (!F::reading) {
     const Vec2 at = map.at(map.best());
     f.given("centroids", json{map.nx, map.ny});
@@ -245,7 +247,7 @@ void describe(F& f, R& r) {
   scale_fields(f, r);
   trace_fields(f, r);
   f.each("timings", r.timings, &NestTiming::variant, [&](auto& t, std::size_t) {
-    f.row("timings/" + t.variant, "timings." + t.variant, t, "ms, ms, 1", timing_columns);
+    f.flat("timings/" + t.variant, "timings." + t.variant, t, "ms, ms, 1", timing_columns);
   });
   if (f.part("accuracy", "", r.accuracy.has_value())) accuracy_fields(f, engaged<F>(r.accuracy));
   if (f.part("layers", "", r.layers.has_value())) layer_fields(f, engaged<F>(r.layers));
@@ -264,8 +266,7 @@ void write_nest(const std::filesystem::path& path, const NestResult& result) {
 
 NestResult read_nest(const std::filesystem::path& path) {
   NestResult result;
-  read_with(path, "a nesting", nest_schema, nest_schema_version,
-            [&](FromHdf5& f) { describe(f, result); });
+  read_with(path, "a nesting", nest_schema, nest_schema_version, [&](FromHdf5& f) { describe(f, result); });
   return result;
 }
 

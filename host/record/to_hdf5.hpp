@@ -114,6 +114,14 @@ class ToHdf5 {
            const Columns& columns) {
     rows(file, json, std::vector<Row>{one}, units, columns);
   }
+  /// The same of one dimension.
+  template <class Row, class Columns>
+  void flat(std::string_view file, std::string_view, Row one, const char* units, const Columns& columns) {
+    WrittenColumns written;
+    columns(written, one);
+    const auto [group, name] = at(file);
+    group->write(name, written.values, {written.values.size()}, {units, written.names});
+  }
   template <class Items, class Key, class Each>
   void each(std::string_view path, Items& items, Key key, const Each& visit) {
     std::vector<std::string> order;  // HDF5 sorts by name

@@ -81,6 +81,11 @@ class ToJson {
     inner.rows(file, "list", std::vector<Row>{one}, units, columns);
     place(root_, json) = inner.root_["list"][0];
   }
+  template <class Row, class Columns>
+  void flat(std::string_view file, std::string_view json, const Row& one, const char* units,
+            const Columns& columns) {
+    row(file, json, one, units, columns);
+  }
   template <class Items, class Key, class Each>
   void each(std::string_view, Items& items, Key, const Each& visit) {
     std::size_t index = 0;

@@ -36,7 +36,7 @@ std::vector<RunKind> make_run_kinds() {
       {"simulation",
        "a simulation",
        "a part, and the solid it was made of, set in motion",
-       {"tip", "omega", "tilt", "scan"},
+       {"touch", "omega", "tilt", "scan"},
        groups,
        SimulationRun(),
        fields_of_run(simulation_fields())}};

@@ -30,7 +30,7 @@ double above_0(S name, S value) {
 Fields<SimulationSpec> make_motion_fields() {
   return grouped<SimulationSpec>(
       "motion",
-      {{"tip", "", "how it touches the ground: gliding (default), held or free (default of yoyo)",
+      {{"touch", "", "how it touches the ground: gliding (default), held or free (default of yoyo)",
         [](M m, S k, S v) { m.contact = contact_of(k, v); },
         [](ConstM m) { return m.contact ? std::string(name_of(*m.contact)) : ""; }},
        {"omega", "rpm", "default a tenth above the least from which the part is stable",

@@ -304,12 +304,15 @@ FoundPoses flattened_least(Session& session, RunConfig config, const Control& co
       const double middle = (too_little + enough) / 2;
       FoundPoses there = at(middle);
       ++count.tried;
-      if (there.good.empty())
+      if (there.good.empty()) {
+        ++count.impossible;
         too_little = middle;
-      else
+      } else {
+        ++count.good;
         enough = middle, found = std::move(there);
+      }
     }
-    count.good = 1;
+    ++count.good;
     found.tried = {count};
     return found;
   }

@@ -20,8 +20,10 @@ using S = std::string_view;
 
 /// Of what is asked, all but what is for problems that have no map, and what each case of a map says anew.
 Fields<MapRun> asked_of_map() {
-  constexpr std::array<S, 8> of_a_part = {"axle",           "slot",          "axle-depth",    "problem.draft",
-                                          "problem.target", "problem.lower", "problem.point", "problem.line"};
+  constexpr std::array<S, 12> of_a_part = {"axis-through",  "stem",          "tip",
+                                           "flatten",       "axle",          "slot",
+                                           "axle-depth",    "problem.draft", "problem.target",
+                                           "problem.lower", "problem.point", "problem.line"};
   Fields<MapRun> fields;
   for (const Field<MapRun>& field : joined<MapRun>(asked_fields()))
     if (std::ranges::find(of_a_part, field.name) == of_a_part.end()) fields.push_back(field);
@@ -29,7 +31,11 @@ Fields<MapRun> asked_of_map() {
     if (field.name == "domain") field.identity = Identity::none;  // said as solves say it: describe()
     if (field.name == "formulation")
       field.set = [](M m, S, S v) {
-        (void)find_solver(map_solver, v);
+        try {
+          (void)find_solver(map_solver, v);
+        } catch (const InputError& error) {
+          throw InputError(fmt::format("{}; expected one that a map can be made with", error.what()));
+        }
         m.formulation = v;
       };
     if (field.name == "solver")

@@ -162,7 +162,8 @@ OrientationMap map_orientations(Session& session, const MapSpec& spec, const Con
       told = {};
     }
     const std::size_t i = k * step % n;
-    contacts[i] = contact_of(body, spec.axes[i], spec.through);
+    contacts[i] = asked.centred ? body.frame.to_model(centre_of_mass(body.solid))
+                                : contact_of(body, spec.axes[i], spec.through);
     sweep.turn(spec.axes[i], contacts[i]);
     std::vector<MapAnswer> here;
     for (const std::string& at_case : map.cases) {

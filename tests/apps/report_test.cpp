@@ -81,9 +81,10 @@ TEST_F(Report, IsOnePageWithTablesFiguresAndProvenance) {
 }
 
 TEST_F(Report, DrawsThePartOfARunInMotionBesideItsSolid) {
-  std::ofstream(file("motion.toml")) << "table = \"simulation\"\nfigures = [\"simulate\"]\nresolution = 24\n"
-                                        "fineness = 16\nformulation = \"quadric\"\n[[run]]\n"
-                                        "[[run]]\nset.solver.start = \"nowhere\"\n";
+  std::ofstream(file("motion.toml"))
+      << "table = \"simulation\"\nkind = \"simulation\"\nfigures = [\"simulate\"]\nresolution = 24\n"
+         "fineness = 16\nformulation = \"quadric\"\n[[run]]\n"
+         "[[run]]\nset.solver.start = \"nowhere\"\n";
   (void)bench(fmt::format("run {} --results {}", file("motion.toml"), file("runs")));
   const BenchAnswer a = bench(
       fmt::format("report {} --results {} -o {}", file("motion.toml"), file("runs"), file("motion.html")));

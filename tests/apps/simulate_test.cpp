@@ -74,7 +74,9 @@ TEST_F(BenchSimulate, ASolidHasOneColumnAndTheSameAnswerTwice) {
   EXPECT_FALSE(all.at("hollow").get<bool>());
   EXPECT_EQ(all.at("contact"), "held");
   EXPECT_EQ(all.at("solid").at("spin"), all.at("part").at("spin"));
-  EXPECT_EQ(bench(command).out, a.out);
+  json again = json::parse(bench(command).out), once = all;
+  for (json* j : {&again, &once}) j->erase("provenance");  // which says when
+  EXPECT_EQ(again, once);
 }
 
 TEST_F(BenchSimulate, WhatStandsAndFloatsDoesSoAsItsVerdictSays) {

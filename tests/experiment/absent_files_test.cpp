@@ -99,7 +99,7 @@ TEST_F(AbsentFiles, OfSolvesAndMapsAreSkippedAsWell) {
   hooks_.run = [](const RunConfig&, const std::string&, const Control&) -> RunOutput {
     throw std::runtime_error("a run without its mesh");
   };
-  hooks_.map = [](const RunConfig&, const Control&) -> OrientationMap {
+  hooks_.map = [](const MapRun&, const Control&) -> OrientationMap {
     throw std::runtime_error("a map without its mesh");
   };
   for (const char* text :
@@ -115,7 +115,7 @@ TEST_F(AbsentFiles, OfSolvesAndMapsAreSkippedAsWell) {
 TEST_F(AbsentFiles, AreLeftOutOfEveryKindOfTableWithANote) {
   for (const auto& [name, summary] : table_summaries()) {
     const std::string of = kind_set_out_by(name);
-    const std::string run = of == "nesting" ? "outer = 'absent.stl'\nseed = [1, 2]"
+    const std::string run = of == "nesting" ? "outer = 'absent.stl'\nfree = 'all'\nseed = [1, 2]"
                             : of == "map"   ? "axes = 2\nmodel = 'absent.stl'\nproblem = ['spin', 'float']"
                                             : "kind = '" + (of.empty() ? "solve" : of) +
                                                 "'\nmodel = 'absent.stl'\nresolution = [32, 48]";

@@ -11,6 +11,10 @@ SimulatedBody simulated(const Moments& moments, const SpinCheckOptions& options,
   SimulatedBody body;
   body.moments = moments;
   body.verdict.values["omega_min_rpm"] = 500;
+  const auto above = [&](Contact contact) {
+    return stable_above(stable_rpm(moments, length_mm, contact)).value_or(std::nan(""));
+  };
+  body.above = StableAbove{500, above(Contact::gliding), above(Contact::held)};
   body.spin = check_spin(moments, length_mm, options);
   return body;
 }

@@ -332,7 +332,7 @@ TEST(Table, IsTheOneThatTheExperimentNames) {
 TEST(Table, FindsTheRecordsOfTheExperiment) {
   const TemporaryFolder folder;
   const Experiment experiment = parse_experiment("[[run]]\nresolution = [8, 9]", "t.toml");
-  write_failure(record_path(folder.path, "t", experiment.runs[1]), experiment.runs[1].config, {}, "broken");
+  write_failure(record_path(folder.path, "t", experiment.runs[1]), experiment.runs[1].run, {}, "broken");
   const auto runs = collect(experiment, folder.path);
   EXPECT_FALSE(runs[0].record);
   ASSERT_TRUE(runs[1].record);

@@ -57,7 +57,8 @@ MATERIAL = {"density": REAL, "mass": REAL, "file": TEXT, "triangles": WHOLE}
 ANGLE_FORM = {"/solve": {"phi": REAL, "phi_units": TEXT}}
 
 # Of a solve in the moments that converged.
-MINIMUM = {"/solve": {"strict_local_minimum": TEXT, "smallest_eigenvalue": REAL, "tangent_dimension": WHOLE}}
+MINIMUM = {"/solve": {"strict_local_minimum": TEXT, "smallest_eigenvalue": REAL, "tangent_dimension": WHOLE,
+                      "why_undecided": TEXT}}
 
 # Of a certified run alone.
 CERTIFIED = {

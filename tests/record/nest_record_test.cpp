@@ -7,6 +7,7 @@
 #include "mesh/io/write.hpp"
 #include "nest/known_answers.hpp"
 #include "record/hdf5_file.hpp"
+#include "record/record.hpp"
 #include "record/records_in.hpp"
 #include "refusal.hpp"
 #include "temporary_folder.hpp"
@@ -104,7 +105,7 @@ TEST_F(NestRecord, HoldsTestsScalesComparisonsAndFailures) {
   ASSERT_EQ(read.accuracy->errors.size(), 4u);
   EXPECT_EQ(read.accuracy->errors.back().resolution, 512);
 
-  write_nest_failure(file(), config_, {}, "no such shape");
+  write_failure(file(), config_, {}, "no such shape");
   const Record failed = read_record(file());
   EXPECT_EQ(failed.error, "no such shape");
   EXPECT_EQ(failed.config(), describe(config_));

@@ -48,7 +48,9 @@ TEST_F(Map, AlongTheDomainsOwnAxisIsThePlainRun) {
     if (floats) config.settings["problem.draft"] = "60%";
     const RunResult plain = run(config).result;
     const OrientationMap map =
-        map_of({MapRun(config), {plain.axis}, floats ? std::vector<std::string>{"60%"} : std::vector<std::string>{}});
+        map_of({MapRun(config),
+                {plain.axis},
+                floats ? std::vector<std::string>{"60%"} : std::vector<std::string>{}});
     ASSERT_EQ(map.axes.size(), 1u);
     ASSERT_LE((map.contacts[0] - plain.contact).norm(), 1e-9);
     ASSERT_EQ(plain.outcome.termination, Termination::optimal) << problem;
@@ -114,7 +116,7 @@ TEST_F(Map, AgreesWithRunsWhoseGridIsTurned) {
 TEST_F(Map, SaysWhereNoInteriorWillDoAndByHowMuch) {
   // A little off the face's normal the box stands on a corner, far beside anything that can be its centre.
   const OrientationMap map =
-      map_of({box({40, 30, 24}), {Vec3::UnitZ(), Vec3(0.06, 0.06, 1), Vec3(0.03, 0.03, 1)}, {}});
+      map_of({MapRun(box({40, 30, 24})), {Vec3::UnitZ(), Vec3(0.06, 0.06, 1), Vec3(0.03, 0.03, 1)}, {}});
   EXPECT_EQ(map.at(0, 0).status, MapAnswer::feasible);
   for (const std::size_t a : {1u, 2u}) {
     const MapAnswer& answer = map.at(a, 0);
@@ -181,7 +183,8 @@ TEST_F(Map, OfAFloatingBodyAgreesWithRunsWhoseGridIsTurned) {
   config.grid.resolution = 48;
   config.problem = "float";
   config.body.density = 0.8;
-  const OrientationMap map = map_of({MapRun(config), {{0.3, 0.1, 1}, {0.2, 1, -0.4}, {-1, 0.2, 0.3}}, {"60%"}});
+  const OrientationMap map =
+      map_of({MapRun(config), {{0.3, 0.1, 1}, {0.2, 1, -0.4}, {-1, 0.2, 0.3}}, {"60%"}});
   for (std::size_t a = 0; a < 3; ++a) {
     RunConfig turned = config;
     turned.body.up = map.axes[a];

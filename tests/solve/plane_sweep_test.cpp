@@ -131,10 +131,11 @@ TEST(PlaneSweep, IsRefusedForOtherProblems) {
     return "accepted";
   };
   EXPECT_EQ(refusal(MaxTilt(base, 0)),
-            "solver 'plane-sweep' for stand with target = max-tilt; expected the problem stand with target = "
-            "centre or inside");
+            "solver 'plane-sweep' for stand as it is set; expected the problem stand with target = centre or "
+            "inside");
   EXPECT_EQ(refusal(Spin({})),
-            "solver 'plane-sweep' for spin; expected the problem stand with target = centre or inside");
+            "solver 'plane-sweep' for spin as it is set; expected the problem stand with target = centre or "
+            "inside");
   EXPECT_THROW((void)find_solver("plane-sweep", "rayrep"), InputError);
   EXPECT_THROW(require_problem(find_solver("plane-sweep", "voxel"), "spin"), InputError);
   EXPECT_NO_THROW(require_problem(find_solver("plane-sweep", "voxel"), "stand"));

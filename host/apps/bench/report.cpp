@@ -68,7 +68,12 @@ json simulations_of(const std::vector<RecordedRun>& runs, const fs::path& folder
   json made = json::object();
   std::optional<device::Device> device;
   for (const RecordedRun& run : runs) {
-    if (!run.has_result() || run.at("verified").is_null()) continue;
+    if (!run.has_result()) continue;
+    if (run.record->kind == RecordKind::simulation) {
+      if (!run.at("part").is_null()) made[run.record->path.string()] = run.record->path.string();
+      continue;
+    }
+    if (!run.at("verified").is_object()) continue;
     const std::string& record = run.record->path.string();
     if (made.contains(record)) continue;
     if (!device) device.emplace();

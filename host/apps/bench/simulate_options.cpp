@@ -33,7 +33,7 @@ void add_simulate_options(CLI::App& app, SimulateOptions& simulate,
       },
       "how the tip touches the ground: gliding (default), held or free; of a mesh also where: x,y,z in mm");
   for (const Field<SimulationSpec>& field : motion_fields()) {
-    if (field.name == "tip") continue;  // part of --contact
+    if (field.name == "touch") continue;  // part of --contact
     const auto set = [&simulate, &field](const std::string& text) {
       if (field.name == "omega") simulate.omega = true;
       field.set(simulate.spec, field.name, text);
