@@ -159,8 +159,8 @@ void require_known(std::string_view operand, const std::string& where) {
   std::vector<std::string_view> names(summary_names().begin(), summary_names().end());
   for (const Column& column : columns()) names.push_back(column.name);
   const std::string meant = nearest(name, names);
-  throw InputError(fmt::format("{}: '{}' is no column, field or part of a record{}", where, name,
-                               meant.empty() ? "" : fmt::format(" (did you mean '{}'?)", meant)));
+  throw InputError(fmt::format("{}: '{}' is no column, field or part of a record; expected one{}", where,
+                               name, meant.empty() ? "" : fmt::format(" (did you mean '{}'?)", meant)));
 }
 
 /// What a column has by the name of its value: a heading, a format, a side.
@@ -198,8 +198,9 @@ LayoutColumn read_column(const toml::node& node, const std::string& where) {
     if (column.value.empty()) column.value = column.name;
     if (column.value.empty()) keys.fail("name", "a column with a name or a value");
   } else {
-    throw InputError(fmt::format("{}: line {}: a column is a name in quotes or {{ name = ..., ... }}", where,
-                                 node.source().begin.line));
+    throw InputError(fmt::format(
+        "{}: line {}: a column that is neither; expected a name in quotes or {{ name = ..., ... }}", where,
+        node.source().begin.line));
   }
   const std::string at = fmt::format("{}: line {}", where, node.source().begin.line);
   require_format(column.format, at);
@@ -226,8 +227,8 @@ std::vector<LayoutLine> read_legend(const toml::array& list, const std::string& 
     }
     if (!node.is_table())
       throw InputError(
-          fmt::format("{}: line {}: a line of the legend is text or {{ line = ..., when = ... }}", where,
-                      node.source().begin.line));
+          fmt::format("{}: line {}: a line of the legend; expected text or {{ line = ..., when = ... }}",
+                      where, node.source().begin.line));
     Keys keys(*node.as_table(), where);
     keys.text("line", line.pattern);
     keys.conditions("when", line.when);

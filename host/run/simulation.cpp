@@ -198,7 +198,8 @@ Simulation run_simulation(const SimulationRun& asked, const Control& control) {
   const ProblemEntry& problem = moving_problem(asked.problem);
   const RunResult result = run(asked, {}, control).result;
   if (result.outcome.termination == Termination::interrupted) throw Interrupted();
-  if (!(result.verified.moments[S1] > 0)) {
+  // The best compromise of what cannot be met is no part that anybody asked for.
+  if (result.outcome.termination == Termination::infeasible || !(result.verified.moments[S1] > 0)) {
     Simulation none;
     none.config = asked;
     none.provenance = result.provenance;

@@ -74,7 +74,7 @@ TEST(Layout, RefusesWhatItCannotReadInOneLine) {
   refused("columns = [{ nam = 'x' }]", {"key 'nam' is unknown", "did you mean 'name'"});
   refused("columns = [{ name = 'variables', format = 'x' }]", {"format = \"x\""});
   refused("columns = [{ value = '{variables:x}' }]", {"own.toml: line 1"});
-  refused("columns = [1]", {"a column is a name in quotes"});
+  refused("columns = [1]", {"expected a name in quotes"});
   refused("columns = ['model']\nnotes = 'all'", {"\"failed\""});
   refused("rows = ['model']", {"expected at least one"});
 }

@@ -247,7 +247,7 @@ TEST(NestExperiments, RefuseKeysOfSolvesAndWhatDoesNotFitWithTheLine) {
   refused("table = 'nestings'\n[[run]]\nouter = 'bear'\nset.ipopt.tol = 1",
           {"ipopt.tol: a search of the scale has no such field"});
   refused("table = 'nestings'\n[[run]]\nfree = 'all'", {"line 3", "no outer shape"});
-  refused("[[run]]\nouter = 'bear'", {"line 2", "expected a table of nestings"});
+  refused("[[run]]\nouter = 'bear'", {"line 2", "with a search of the scale, expected a solve in every run"});
 }
 
 }  // namespace
