@@ -41,7 +41,8 @@ struct Shapes {
 Shapes load(const NestConfig& config) {
   const std::vector<std::string>& within = std::get<NestLayers>(config.kind).within;
   std::vector<std::string> names = {config.outer};
-  if (!config.inner.empty() && (config.inner != config.outer || !within.empty())) names.push_back(config.inner);
+  if (!config.inner.empty() && (config.inner != config.outer || !within.empty()))
+    names.push_back(config.inner);
   names.insert(names.end(), within.begin(), within.end());
   Shapes shapes;
   for (const std::string& name : names) {

@@ -41,9 +41,9 @@ std::string_view text_of(RunState state) {
 Provenance provenance_of(const ExperimentRun& run) {
   using device::Precision;
   try {
-    const device::Device device(
-        text_of(run.run, "device"),
-        text_of(run.run, "precision") == "single" ? Precision::single : Precision::automatic);
+    const device::Device device(text_of(run.run, "device"), text_of(run.run, "precision") == "single"
+                                                                ? Precision::single
+                                                                : Precision::automatic);
     return make_provenance(device);
   } catch (const std::exception&) {
     return {};

@@ -56,7 +56,9 @@ namespace {
 std::vector<FormulationEntry> ours() {
   return {
       {"voxel", "one fill in [0,1] an interior voxel", make_voxel, {.derivatives = true, .voxels = true}},
-      {"rayrep", "one solid segment [z0,z1] a ray [RayRep, s. 2-3]", make_rayrep,
+      {"rayrep",
+       "one solid segment [z0,z1] a ray [RayRep, s. 2-3]",
+       make_rayrep,
        {.derivatives = true, .heights = true}},
       {"octree",
        "one fill in [0,1] a cell of an octree, refined along the voids [SpinIt, s. 5]",

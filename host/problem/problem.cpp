@@ -121,15 +121,17 @@ std::vector<ProblemEntry> ours() {
        .rays = rays_of_balance,
        .misses = misses_point},
       {.name = "hang",
-       .summary = "hung from a point, it hangs as it lies: centre of mass straight below, with as much material "
-                  "as possible",
+       .summary =
+           "hung from a point, it hangs as it lies: centre of mass straight below, with as much material "
+           "as possible",
        .make = make_hang,
        .upright = true,
        .settings = {"point", "line"},
        .rays = rays_of_hang,
        .misses = misses_point},
       {.name = "die",
-       .summary = "a fair die: its faces come up as alike as its shape allows, with as much material as possible",
+       .summary =
+           "a fair die: its faces come up as alike as its shape allows, with as much material as possible",
        .make = make_die,
        .upright = true,
        .rays = rays_of_die,

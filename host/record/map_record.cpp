@@ -224,8 +224,7 @@ void write_map(const std::filesystem::path& path, const OrientationMap& map) {
 
 OrientationMap read_map(const std::filesystem::path& path) {
   OrientationMap map;
-  read_with(path, "a map", map_schema, map_schema_version,
-            [&](FromHdf5& f) { describe(f, map); });
+  read_with(path, "a map", map_schema, map_schema_version, [&](FromHdf5& f) { describe(f, map); });
   return map;
 }
 

@@ -190,8 +190,7 @@ void describe(F& f, S& s) {
   f.value("model", "model", s.body_name);
   f.value("problem", "problem", s.config.problem);
   provenance_fields(f, s.provenance);
-  if (f.part("termination", "", !s.termination.empty()))
-    f.value("termination", "termination", s.termination);
+  if (f.part("termination", "", !s.termination.empty())) f.value("termination", "termination", s.termination);
   f.late("made", "made", s.made);  // early records are of parts
   if (!s.made) return;
   f.value("length", "", s.length_mm, "mm");

@@ -16,7 +16,8 @@ Subject subject_of_record(const std::filesystem::path& path, device::Device& dev
   if (run.outcome.termination == Termination::infeasible) throw refuse(to_string(run.outcome.termination));
   run.config.device.clear();
   return subject_of_numbers(
-      run.config, {run.body_name, run.length_mm, run.mass_unit_grams, run.solid, run.verified.moments}, device);
+      run.config, {run.body_name, run.length_mm, run.mass_unit_grams, run.solid, run.verified.moments},
+      device);
 }
 
 }  // namespace kreisel::core

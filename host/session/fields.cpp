@@ -86,7 +86,8 @@ std::string direction_text(ConstA asked, const std::optional<Vec3>& direction, b
                      : std::string("auto");
 }
 
-/// Shapes that are made along the axis: what is joined, what is cut off; and where an axis runs that is found.
+/// Shapes that are made along the axis: what is joined, what is cut off; and where an axis runs that is
+/// found.
 Fields<Asked> shape_fields() {
   return grouped<Asked>(
       "pose and material",
@@ -266,9 +267,10 @@ Fields<Asked> setting_fields() {
        setting("problem.lower", "top: mass, height or none, beside the inertia ratio; default mass"),
        setting("problem.draft", "float: 60% of the height, mm, grams (40g), solid, or auto; default 60%"),
        setting("problem.fluid_density", "float: g/cm^3; default 1"),
-       setting("problem.point",
-               "balance: where the centre of mass is to be, x,y,z in mm; hang: from where, default the highest "
-               "point"),
+       setting(
+           "problem.point",
+           "balance: where the centre of mass is to be, x,y,z in mm; hang: from where, default the highest "
+           "point"),
        setting("problem.line", "balance: direction of a line through that point; hang: which way is up")});
 }
 
@@ -315,8 +317,9 @@ Fields<RunConfig> effort_fields() {
 }  // namespace
 
 const Fields<Asked>& asked_fields() {
-  static const Fields<Asked> all = joined<Asked>(body_fields(), pose_fields(), shape_fields(), question_fields(),
-                                                 domain_fields(), device_fields(), setting_fields());
+  static const Fields<Asked> all =
+      joined<Asked>(body_fields(), pose_fields(), shape_fields(), question_fields(), domain_fields(),
+                    device_fields(), setting_fields());
   return all;
 }
 

@@ -44,7 +44,7 @@ struct LeastMisses {
 };
 
 LeastMisses least_misses(const SolverEntry& solver, const Task& task, const SolverOptions& options,
-                    const std::vector<Eigen::Index>& rows) {
+                         const std::vector<Eigen::Index>& rows) {
   const Relaxed relaxed(task.problem, rows);
   const Outcome best = solver.solve({relaxed, task.formulation, task.mass, task.device, task.stop}, options);
   const LinearConstraints& c = relaxed.constraints();

@@ -99,10 +99,10 @@ class Sweep {
 Outcome solve_with_plane_sweep(const Task& task, const SolverOptions&) {
   const auto* stand = dynamic_cast<const Stand*>(&task.problem);
   if (!stand)
-    throw InputError(
-        fmt::format("solver 'plane-sweep' for {} as it is set; expected the problem stand with target = centre "
-                    "or inside",
-                    task.problem.name()));
+    throw InputError(fmt::format(
+        "solver 'plane-sweep' for {} as it is set; expected the problem stand with target = centre "
+        "or inside",
+        task.problem.name()));
   Outcome outcome;
   task.device.reset_kernel_seconds();
   const Stopwatch watch;

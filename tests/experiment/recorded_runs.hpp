@@ -50,7 +50,8 @@ inline RecordedRun failed_run(const RunResult& result, const std::string& error,
                               const std::string& label = "") {
   RecordedRun run = recorded(result, label);
   nlohmann::json& summary = run.record->summary;
-  summary = {{"config", summary.at("config")}, {"device", summary.at("device")}, {"commit", summary.at("commit")}};
+  summary = {
+      {"config", summary.at("config")}, {"device", summary.at("device")}, {"commit", summary.at("commit")}};
   run.record->error = error;
   return run;
 }

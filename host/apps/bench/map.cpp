@@ -36,8 +36,7 @@ void print_map(const OrientationMap& map) {
   fmt::print("  time       {:.3f} s sweep, {:.3f} s set-up\n", map.sweep_seconds, map.setup_seconds);
   for (std::size_t c = 0; c < map.cases.size(); ++c) {
     const std::size_t undecided = map.count(c, MapAnswer::undecided);
-    fmt::print("  {:<10} {} feasible, {} {}{}\n",
-               cases ? setting + " " + map.cases[c] : "possible",
+    fmt::print("  {:<10} {} feasible, {} {}{}\n", cases ? setting + " " + map.cases[c] : "possible",
                share(map.count(c, MapAnswer::feasible), n), share(map.count_ok(c), n),
                asked.verb.empty() ? asked.name : asked.verb,
                undecided ? fmt::format(", {} undecided", share(undecided, n)) : "");
@@ -50,8 +49,8 @@ void print_map(const OrientationMap& map) {
   const MapAnswer& answer = map.at(best->axis, best->at_case);
   const Vec3& a = map.axes[best->axis];
   fmt::print("  best       axis {:.4f},{:.4f},{:.4f}{}: objective {:.6f}, {}\n", a[0], a[1], a[2],
-             cases ? fmt::format(" at {} {}", setting, map.cases[best->at_case]) : "",
-             answer.objective, answer.verdict.text);
+             cases ? fmt::format(" at {} {}", setting, map.cases[best->at_case]) : "", answer.objective,
+             answer.verdict.text);
   fmt::print("  make it    {}\n", map.command(*best));
 }
 
