@@ -24,6 +24,7 @@ struct Names<Through> {
 }  // namespace fields
 
 namespace {
+namespace of_map {
 
 using namespace fields;
 using nlohmann::json;
@@ -216,25 +217,27 @@ void describe(F& f, M& map) {
   provenance_fields(f, map.provenance);
 }
 
+}  // namespace of_map
 }  // namespace
 
 void write_map(const std::filesystem::path& path, const OrientationMap& map) {
-  write_with(path, [&](ToHdf5& f) { describe(f, map); });
+  fields::write_with(path, [&](fields::ToHdf5& f) { of_map::describe(f, map); });
 }
 
 OrientationMap read_map(const std::filesystem::path& path) {
   OrientationMap map;
-  read_with(path, "a map", map_schema, map_schema_version, [&](FromHdf5& f) { describe(f, map); });
+  fields::read_with(path, "a map", map_schema, map_schema_version,
+                    [&](fields::FromHdf5& f) { of_map::describe(f, map); });
   return map;
 }
 
-json to_json(const OrientationMap& map) {
-  return json_with([&](ToJson& f) {
-    describe(f, map);
-    const json best = best_json(map);
+nlohmann::json to_json(const OrientationMap& map) {
+  return fields::json_with([&](fields::ToJson& f) {
+    of_map::describe(f, map);
+    const nlohmann::json best = of_map::best_json(map);
     f.given("best", best);
-    f.given("cases", cases_json(map, best));
-    f.given("axes", axes_json(map));
+    f.given("cases", of_map::cases_json(map, best));
+    f.given("axes", of_map::axes_json(map));
   });
 }
 

@@ -11,6 +11,7 @@
 
 namespace kreisel::core {
 namespace {
+namespace of_nest {
 
 using namespace fields;
 using nlohmann::json;
@@ -258,20 +259,22 @@ void describe(F& f, R& r) {
   if (!r.shapes.empty()) f.bulk("shapes", [&](hdf5::Group& group) { write_shapes(group, r.shapes); });
 }
 
+}  // namespace of_nest
 }  // namespace
 
 void write_nest(const std::filesystem::path& path, const NestResult& result) {
-  write_with(path, [&](ToHdf5& f) { describe(f, result); });
+  fields::write_with(path, [&](fields::ToHdf5& f) { of_nest::describe(f, result); });
 }
 
 NestResult read_nest(const std::filesystem::path& path) {
   NestResult result;
-  read_with(path, "a nesting", nest_schema, nest_schema_version, [&](FromHdf5& f) { describe(f, result); });
+  fields::read_with(path, "a nesting", nest_schema, nest_schema_version,
+                    [&](fields::FromHdf5& f) { of_nest::describe(f, result); });
   return result;
 }
 
-json to_json(const NestResult& result) {
-  return json_with([&](ToJson& f) { describe(f, result); });
+nlohmann::json to_json(const NestResult& result) {
+  return fields::json_with([&](fields::ToJson& f) { of_nest::describe(f, result); });
 }
 
 }  // namespace kreisel::core

@@ -85,7 +85,7 @@ void write_failure(const std::filesystem::path& path, const Run& run, const Prov
   const auto schema = [&] {
     if (std::holds_alternative<NestConfig>(run)) return nest_schema;
     if (std::holds_alternative<SimulationRun>(run)) return simulation_schema;
-    return std::holds_alternative<MapRun>(run) ? map_schema : run_schema;
+    return run_schema;  // of maps, too: results/README.md
   }();
   fields::write_with(path, [&](fields::ToHdf5& file) {
     fields::schema_fields(file, schema, record_schema_version);

@@ -31,6 +31,7 @@ struct Names<Certificate::Kind> {
 }  // namespace fields
 
 namespace {
+namespace of_run {
 
 using namespace fields;
 using nlohmann::json;
@@ -282,21 +283,22 @@ void describe(F& f, R& r) {
   certificate_fields(f, r);
 }
 
+}  // namespace of_run
 }  // namespace
 
 void write_record(const std::filesystem::path& path, const RunResult& result) {
-  write_with(path, [&](ToHdf5& f) { describe(f, result); });
+  fields::write_with(path, [&](fields::ToHdf5& f) { of_run::describe(f, result); });
 }
 
 RunResult read_run(const std::filesystem::path& path) {
   RunResult result;
-  read_with(path, "a record of a run", run_schema, record_schema_version,
-            [&](FromHdf5& f) { describe(f, result); });
+  fields::read_with(path, "a record of a run", run_schema, record_schema_version,
+                    [&](fields::FromHdf5& f) { of_run::describe(f, result); });
   return result;
 }
 
-json to_json(const RunResult& result) {
-  return json_with([&](ToJson& f) { describe(f, result); });
+nlohmann::json to_json(const RunResult& result) {
+  return fields::json_with([&](fields::ToJson& f) { of_run::describe(f, result); });
 }
 
 }  // namespace kreisel::core

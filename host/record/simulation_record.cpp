@@ -23,6 +23,7 @@ struct Names<Contact> {
 }  // namespace fields
 
 namespace {
+namespace of_simulation {
 
 using namespace fields;
 using nlohmann::json;
@@ -207,21 +208,22 @@ void describe(F& f, S& s) {
   if (f.part("axle", "", s.part.fall.has_value())) f.value("axle", "", s.axle_mm, "mm");
 }
 
+}  // namespace of_simulation
 }  // namespace
 
 void write_simulation(const std::filesystem::path& path, const Simulation& simulation) {
-  write_with(path, [&](ToHdf5& f) { describe(f, simulation); });
+  fields::write_with(path, [&](fields::ToHdf5& f) { of_simulation::describe(f, simulation); });
 }
 
 Simulation read_simulation(const std::filesystem::path& path) {
   Simulation simulation;
-  read_with(path, "a simulation", simulation_schema, simulation_schema_version,
-            [&](FromHdf5& f) { describe(f, simulation); });
+  fields::read_with(path, "a simulation", simulation_schema, simulation_schema_version,
+                    [&](fields::FromHdf5& f) { of_simulation::describe(f, simulation); });
   return simulation;
 }
 
-json to_json(const Simulation& simulation) {
-  return json_with([&](ToJson& f) { describe(f, simulation); });
+nlohmann::json to_json(const Simulation& simulation) {
+  return fields::json_with([&](fields::ToJson& f) { of_simulation::describe(f, simulation); });
 }
 
 }  // namespace kreisel::core
