@@ -19,7 +19,8 @@ bool compares_a_name(std::string_view line) {
       std::string_view left = line.substr(0, at);
       for (const std::string_view part : {"()", ".name"})
         if (left.ends_with(part)) left.remove_suffix(part.size());
-      const bool of_word = std::isalpha(static_cast<unsigned char>(line.substr(at + sign.size()).front()));
+      const std::size_t begin = at + sign.size();
+      const bool of_word = begin < line.size() && std::isalpha(static_cast<unsigned char>(line[begin]));
       if (of_word && (left.ends_with("problem") || left.ends_with("formulation"))) return true;
     }
   return false;
