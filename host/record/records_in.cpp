@@ -79,7 +79,6 @@ Record read_record(const std::filesystem::path& path) {
   return record;
 }
 
-/// The texts that a table, a program or another run know it by.
 void write_failure(const std::filesystem::path& path, const Run& run, const Provenance& provenance,
                    const std::string& message) {
   const auto schema = [&] {

@@ -29,7 +29,6 @@ using namespace fields;
 using nlohmann::json;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double degrees_of = 180 / 3.14159265358979323846;
 
 /// The steady spin's tilt in degrees and its growth, NaN where there is none.
 template <bool reading, class S, class Visit>
@@ -38,7 +37,7 @@ void steady_fields(S& speed, const Visit& visit) {
   double growth = speed.steady ? speed.steady->growth : none;
   visit(tilt, growth);
   if constexpr (reading)
-    if (!std::isnan(growth)) speed.steady = SteadySpin{Vec3::UnitZ(), tilt / degrees_of, growth};
+    if (!std::isnan(growth)) speed.steady = SteadySpin{Vec3::UnitZ(), radians(tilt), growth};
 }
 
 constexpr auto scan_columns = [](auto& column, auto& speed) {
@@ -109,13 +108,13 @@ void spin_fields(F& f, const std::string& body, S& check) {
 
 template <class F, class A>
 void righting_fields(F& f, const std::string& file, const std::string& at, A& arm, double length_mm) {
-  f.scaled(file + "/azimuth_degrees", at + ".azimuth_degrees", arm.azimuth, degrees_of);
+  f.scaled(file + "/azimuth_degrees", at + ".azimuth_degrees", arm.azimuth, degrees(1));
   f.scaled(file + "/metacentric_height_mm", at + ".metacentric_height_mm", arm.metacentric_height, length_mm);
   std::optional<double> vanishing;
   if (arm.vanishing) vanishing = degrees(*arm.vanishing);
   f.value(file + "/vanishing_degrees", at + ".vanishing_degrees", vanishing);
   if constexpr (F::reading)
-    if (vanishing) arm.vanishing = *vanishing / degrees_of;
+    if (vanishing) arm.vanishing = radians(*vanishing);
   struct Point {
     double heel, gz;
   };
@@ -131,7 +130,7 @@ void righting_fields(F& f, const std::string& file, const std::string& at, A& ar
     heel.push_back(point.heel);
     gz.push_back(point.gz);
     if constexpr (F::reading) {
-      arm.heel.push_back(point.heel / degrees_of);
+      arm.heel.push_back(radians(point.heel));
       arm.gz.push_back(point.gz / length_mm);
     }
   }
@@ -146,8 +145,7 @@ void standing_fields(F& f, const std::string& body, B& b) {
     double azimuth = degrees(t.azimuth), angle = degrees(t.angle);
     column("azimuth", azimuth);
     column("angle", angle);
-    if constexpr (std::remove_reference_t<decltype(column)>::reading)
-      t = {azimuth / degrees_of, angle / degrees_of};
+    if constexpr (std::remove_reference_t<decltype(column)>::reading) t = {radians(azimuth), radians(angle)};
   });
   if constexpr (!F::reading) {
     const Toppling least = worst(b.toppling);

@@ -15,8 +15,7 @@ namespace kreisel::core::fields {
 /// back, so that whoever dumps the answer need not think of either.
 [[nodiscard]] nlohmann::json plain(const nlohmann::json& value);
 
-/// See fields.md of docs/architecture: fields have a place in the file and one in JSON; "" where they are not
-/// there.
+/// Fields have a place in the file and one in JSON; "" where they are not there.
 class ToJson {
  public:
   static constexpr bool reading = false;
