@@ -77,7 +77,7 @@ struct ReportOptions {
 };
 /// Tables and figures of experiments that have been run, as one HTML page.
 int report(const ReportOptions& options);
-/// Their tables, in the marked places of Markdown files. [docs/experiments.md]
+/// Their tables, in the marked places of Markdown files. [docs/tables.md]
 int report_markdown(const ReportOptions& options);
 
 /// Prints records, or the table of an experiment whose runs they are.
