@@ -5,6 +5,7 @@
 #include <string>
 #include <type_traits>
 
+#include "record/schema.hpp"
 #include "record/values.hpp"
 #include "run/run.hpp"
 #include "session/provenance.hpp"
@@ -80,9 +81,9 @@ auto& engaged(T& optional) {
 }
 
 template <class F>
-void schema_fields(F& f, const char* schema, int version) {
-  f.stored("schema", std::string(schema));
-  f.stored("schema_version", version);
+void schema_fields(F& f, const Schema& schema) {
+  f.stored("schema", std::string(schema.name));
+  f.stored("schema_version", schema.newest);
 }
 
 }  // namespace kreisel::core::fields

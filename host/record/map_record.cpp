@@ -184,7 +184,7 @@ void best_fields(F& f, M& map) {
 
 template <class F, class M>
 void describe(F& f, M& map) {
-  schema_fields(f, map_schema, map_schema_version);
+  schema_fields(f, map_schema);
   config_fields(f, map.config);
   f.value("model", "model", map.body_name);
   f.value("problem", "problem", map.config.problem);
@@ -226,8 +226,7 @@ void write_map(const std::filesystem::path& path, const OrientationMap& map) {
 
 OrientationMap read_map(const std::filesystem::path& path) {
   OrientationMap map;
-  fields::read_with(path, "a map", map_schema, map_schema_version,
-                    [&](fields::FromHdf5& f) { of_map::describe(f, map); });
+  fields::read_with(path, map_schema, [&](fields::FromHdf5& f) { of_map::describe(f, map); });
   return map;
 }
 

@@ -9,8 +9,6 @@
 
 namespace kreisel::core {
 
-inline constexpr int map_schema_version = 1;
-
 /// Temporary name in the same folder, then renamed. @throws InputError  the folder cannot be written
 void write_map(const std::filesystem::path& path, const OrientationMap& map);
 

@@ -13,8 +13,7 @@ namespace {
 using hdf5::Group;
 using Numbers = std::vector<double>;
 
-constexpr const char* checkpoint_schema = "kreisel nesting checkpoint";
-constexpr int newest = 1;
+constexpr Schema checkpoint_schema = {"kreisel nesting checkpoint", 1, "a checkpoint of a nesting"};
 
 void put(Group& group, const char* name, const Numbers& values) {
   group.write(name, values, {values.size()}, {"1", {}});
@@ -101,8 +100,8 @@ std::vector<nest::SwarmStep> read_trace(const Group& group) {
 void write_checkpoint(const std::filesystem::path& path, const NestCheckpoint& checkpoint) {
   hdf5::File file = hdf5::File::create(path);
   const nest::SearchState& state = checkpoint.state;
-  file.set("schema", checkpoint_schema);
-  file.set("schema_version", newest);
+  file.set("schema", checkpoint_schema.name);
+  file.set("schema_version", checkpoint_schema.newest);
   {
     Group config = file.new_group("config");
     for (const auto& [key, value] : describe(checkpoint.config)) config.set(key, value);
@@ -125,7 +124,7 @@ void write_checkpoint(const std::filesystem::path& path, const NestCheckpoint& c
 NestCheckpoint read_checkpoint(const std::filesystem::path& path) {
   const hdf5::File file = hdf5::File::open(path);
   const std::string name = path.string();
-  require_schema(file, name, "a checkpoint of a nesting", checkpoint_schema, newest);
+  require_schema(file, name, checkpoint_schema);
   NestCheckpoint checkpoint;
   const Group config = file.group("config");
   GivenFields given;

@@ -149,7 +149,7 @@ void scale_fields(F& f, R& r) {
 
 template <class F, class R>
 void asked(F& f, R& r) {
-  schema_fields(f, nest_schema, nest_schema_version);
+  schema_fields(f, nest_schema);
   config_fields(f, r.config);
   f.stored("kind", std::string(kind_of(r.config)));
   f.given("kind", std::string(kind_of(r.config)));
@@ -268,8 +268,7 @@ void write_nest(const std::filesystem::path& path, const NestResult& result) {
 
 NestResult read_nest(const std::filesystem::path& path) {
   NestResult result;
-  fields::read_with(path, "a nesting", nest_schema, nest_schema_version,
-                    [&](fields::FromHdf5& f) { of_nest::describe(f, result); });
+  fields::read_with(path, nest_schema, [&](fields::FromHdf5& f) { of_nest::describe(f, result); });
   return result;
 }
 

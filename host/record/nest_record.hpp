@@ -11,8 +11,6 @@
 
 namespace kreisel::core {
 
-inline constexpr int nest_schema_version = 1;
-
 /// Temporary name in the same folder, then renamed. @throws InputError  the folder cannot be written
 void write_nest(const std::filesystem::path& path, const NestResult& result);
 

@@ -12,8 +12,6 @@
 
 namespace kreisel::core {
 
-inline constexpr int record_schema_version = 1;
-
 /// In place of a verdict where the run ended with the solve.
 inline constexpr const char* no_part = "none made, none verified: part = none";
 

@@ -16,28 +16,25 @@ namespace kreisel::core {
 
 namespace {
 
-RecordKind kind_in(const hdf5::File& file, const std::filesystem::path& path) {
+struct Kind {
+  RecordKind kind;
+  Schema schema;
+  nlohmann::json (*summary)(const std::filesystem::path& path);
+};
+
+using Path = const std::filesystem::path&;
+const Kind kinds[] = {
+    {RecordKind::run, run_schema, [](Path path) { return to_json(read_run(path)); }},
+    {RecordKind::map, map_schema, [](Path path) { return to_json(read_map(path)); }},
+    {RecordKind::nesting, nest_schema, [](Path path) { return to_json(read_nest(path)); }},
+    {RecordKind::simulation, simulation_schema, [](Path path) { return to_json(read_simulation(path)); }}};
+
+const Kind& kind_in(const hdf5::File& file, const std::filesystem::path& path) {
   const std::string schema = schema_of(file);
-  if (schema == run_schema) return RecordKind::run;
-  if (schema == map_schema) return RecordKind::map;
-  if (schema == nest_schema) return RecordKind::nesting;
-  if (schema == simulation_schema) return RecordKind::simulation;
+  for (const Kind& kind : kinds)
+    if (schema == kind.schema.name) return kind;
   throw InputError(fmt::format("{}: not a record{}; expected one of a run, map, nesting or simulation",
                                path.string(), schema.empty() ? "" : fmt::format(" but a {}", schema)));
-}
-
-nlohmann::json summary_of(RecordKind kind, const std::filesystem::path& path) {
-  switch (kind) {
-    case RecordKind::run:
-      return to_json(read_run(path));
-    case RecordKind::map:
-      return to_json(read_map(path));
-    case RecordKind::nesting:
-      return to_json(read_nest(path));
-    case RecordKind::simulation:
-      break;
-  }
-  return to_json(read_simulation(path));
 }
 
 /// Of a run that failed, whatever its kind: what was asked for, by whom and where.
@@ -61,21 +58,25 @@ std::map<std::string, std::string> Record::config() const {
   return summary.at("config").get<std::map<std::string, std::string>>();
 }
 
-RecordKind kind_of_record(const std::filesystem::path& path) { return kind_in(hdf5::File::open(path), path); }
+RecordKind kind_of_record(const std::filesystem::path& path) {
+  return kind_in(hdf5::File::open(path), path).kind;
+}
 
 Record read_record(const std::filesystem::path& path) {
   Record record;
   record.path = path;
+  const Kind* kind = nullptr;
   {
     const hdf5::File file = hdf5::File::open(path);
-    record.kind = kind_in(file, path);
-    require_schema(file, path.string(), "a record", schema_of(file), record_schema_version);
+    kind = &kind_in(file, path);
+    record.kind = kind->kind;
+    require_schema(file, path.string(), kind->schema);
     if (file.has("error")) {
       record.error = file.text("error");
       record.summary = summary_of_failure(file, path);
     }
   }
-  if (record.error.empty()) record.summary = summary_of(record.kind, path);
+  if (record.error.empty()) record.summary = kind->summary(path);
   return record;
 }
 
@@ -87,7 +88,7 @@ void write_failure(const std::filesystem::path& path, const Run& run, const Prov
     return run_schema;  // of maps, too: results/README.md
   }();
   fields::write_with(path, [&](fields::ToHdf5& file) {
-    fields::schema_fields(file, schema, record_schema_version);
+    fields::schema_fields(file, schema);
     file.names("config", "", "", describe(run));
     fields::provenance_fields(file, provenance);
     if (const Asked* asked = asked_of(run)) {

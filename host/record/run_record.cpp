@@ -42,9 +42,9 @@ constexpr const char* model_units = "g (s1), g mm (sx sy sz), g mm^2 (rest)";
 /// The problem's settings; those that say what f is as set, else their defaults.
 json weights(const RunConfig& config) {
   json all = json::object();
-  ProblemSettings settings = settings_of(config, "problem");
+  SettingTexts settings = settings_of(config, "problem");
   for (const ProblemEntry& entry : problems())  // a record's may be another program's
-    if (entry.name == config.problem) settings.insert(entry.weights.begin(), entry.weights.end());
+    if (entry.name == config.problem) settings.merge(entry.usual_weights());
   for (const auto& [name, text] : settings) {
     if (const auto value = parse<double>(text))
       all[name] = *value;
@@ -84,7 +84,7 @@ constexpr auto cut_columns = [](auto& column, auto& cut) {
 /// What was asked, by whom and where.
 template <class F, class R>
 void asked(F& f, R& r) {
-  schema_fields(f, run_schema, record_schema_version);
+  schema_fields(f, run_schema);
   f.stored("moments_order", fmt::format("{}", fmt::join(moment_names, " ")));
   f.value("model", "model", r.body_name);
   config_fields(f, r.config);
@@ -292,8 +292,7 @@ void write_record(const std::filesystem::path& path, const RunResult& result) {
 
 RunResult read_run(const std::filesystem::path& path) {
   RunResult result;
-  fields::read_with(path, "a record of a run", run_schema, record_schema_version,
-                    [&](fields::FromHdf5& f) { of_run::describe(f, result); });
+  fields::read_with(path, run_schema, [&](fields::FromHdf5& f) { of_run::describe(f, result); });
   return result;
 }
 

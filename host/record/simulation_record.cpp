@@ -184,7 +184,7 @@ void body_fields(F& f, const std::string& body, B& b, double length_mm) {
 
 template <class F, class S>
 void describe(F& f, S& s) {
-  schema_fields(f, simulation_schema, simulation_schema_version);
+  schema_fields(f, simulation_schema);
   config_fields(f, s.config);
   f.value("model", "model", s.body_name);
   f.value("problem", "problem", s.config.problem);
@@ -215,7 +215,7 @@ void write_simulation(const std::filesystem::path& path, const Simulation& simul
 
 Simulation read_simulation(const std::filesystem::path& path) {
   Simulation simulation;
-  fields::read_with(path, "a simulation", simulation_schema, simulation_schema_version,
+  fields::read_with(path, simulation_schema,
                     [&](fields::FromHdf5& f) { of_simulation::describe(f, simulation); });
   return simulation;
 }

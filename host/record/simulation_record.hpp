@@ -10,8 +10,6 @@
 
 namespace kreisel::core {
 
-inline constexpr int simulation_schema_version = 1;
-
 /// What a record of a run holds: its solid and the part that it wrote.
 /// @throws InputError  not a record of a run, or of one that failed or found no part
 [[nodiscard]] Subject subject_of_record(const std::filesystem::path& path, device::Device& device);

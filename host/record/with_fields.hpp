@@ -24,10 +24,9 @@ void write_with(const std::filesystem::path& path, const Describe& describe) {
 /// @param what  such as "a map", for the message
 /// @throws InputError  another schema, a version above `newest`, a field that is not there
 template <class Describe>
-void read_with(const std::filesystem::path& path, std::string_view what, std::string_view schema, int newest,
-               const Describe& describe) {
+void read_with(const std::filesystem::path& path, const Schema& schema, const Describe& describe) {
   const hdf5::File file = hdf5::File::open(path);
-  require_schema(file, path.string(), what, schema, newest);
+  require_schema(file, path.string(), schema);
   FromHdf5 fields(file, path.string());
   describe(fields);
 }

@@ -17,6 +17,7 @@
 #include "installed.hpp"
 #include "record/hdf5_file.hpp"
 #include "record/records_in.hpp"
+#include "record/schema.hpp"
 #include "refusal.hpp"
 #include "temporary_folder.hpp"
 
@@ -402,8 +403,8 @@ TEST_F(RunRecord, RefusesWhatIsNoRecord) {
 TEST_F(RunRecord, OfANewerSchemaIsRefused) {
   {
     auto file = hdf5::File::create(folder_.path / "newer.h5");
-    file.set("schema", "kreisel run");
-    file.set("schema_version", record_schema_version + 1);
+    file.set("schema", run_schema.name);
+    file.set("schema_version", run_schema.newest + 1);
     file.close();
   }
   EXPECT_NE(refusal(folder_.path / "newer.h5").find("newer program"), std::string::npos);
