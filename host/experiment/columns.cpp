@@ -19,9 +19,8 @@ namespace {
 using nlohmann::json;
 
 json field(const RecordedRun& run, const std::string& name) {
-  const auto fields = run.fields();
-  const auto found = fields.find(name);
-  return found == fields.end() || found->second.empty() ? json() : json(found->second);
+  const std::string text = run.field(name);
+  return text.empty() ? json() : json(text);
 }
 
 /// The grid as asked, of the record where only the longest side was.

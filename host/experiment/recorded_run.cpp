@@ -24,6 +24,18 @@ std::map<std::string, std::string> RecordedRun::fields() const {
   return fields;
 }
 
+std::string RecordedRun::field(const std::string& name) const {
+  if (name == "label") return run.label;
+  if (!record || name == "shapes") {
+    const auto all = fields();
+    const auto found = all.find(name);
+    return found == all.end() ? "" : found->second;
+  }
+  const json& config = record->summary.at("config");
+  const auto found = config.find(name);
+  return found == config.end() ? "" : found->get<std::string>();
+}
+
 std::string RecordedRun::termination() const {
   if (!record) return "not run";
   if (!record->error.empty()) return "error";

@@ -20,6 +20,8 @@ struct RecordedRun {
 
   /// What was asked for: a text for each field, and its label.
   [[nodiscard]] std::map<std::string, std::string> fields() const;
+  /// One of them, without looking at the others; empty: there is none.
+  [[nodiscard]] std::string field(const std::string& name) const;
   /// The record's file; empty where there is none.
   [[nodiscard]] std::filesystem::path path() const { return record ? record->path : std::filesystem::path(); }
   /// There is a result with numbers in it, whatever its termination.
