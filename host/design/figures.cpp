@@ -25,7 +25,7 @@ Figures figures_of(const Moments& body, double volume, const RunResult& run, con
 Residual residual_of(const Figures& figures, const RunConfig& config) {
   const ProblemEntry& problem = find_problem(config.problem);
   if (!problem.misses) return {Misses::none, Misses::none, Misses::none};
-  const Misses misses = problem.misses(figures.verdict.values, settings_of(config, "problem"));
+  const Misses misses = problem.misses(figures.verdict.values, problem_settings(config));
   const double excess = misses.excess_mass;
   return {misses.centre_of_mass_mm, misses.axis_degrees, figures.mass * excess / (1 + excess)};
 }

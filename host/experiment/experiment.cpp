@@ -198,7 +198,7 @@ class Parser {
     std::string setting(key);
     std::ranges::replace(setting, '-', '_');  // as the option of that name is written
     for (const ProblemEntry& problem : problems())
-      if (std::ranges::find(problem.settings, setting) != problem.settings.end())
+      if (find_field(problem.settings.fields(), setting))
         fail(line, fmt::format("setting '{}' outside 'set', expected set.problem.{}", key, setting));
     std::vector<std::string_view> names(other_keys.begin(), other_keys.end());
     const auto fields = field_names();  // settings stand under 'set'

@@ -43,7 +43,8 @@ bool same_settings(const json& row, const RecordedRun& run) {
   auto settings = run.fields();
   for (const ProblemEntry& problem : problems())
     if (problem.name == settings["problem"])
-      for (const auto& [name, value] : problem.weights) settings.try_emplace("problem." + name, value);
+      for (const auto& [name, value] : problem.usual_weights())
+        settings.try_emplace("problem." + name, value);
   return std::ranges::all_of(row.at("settings").items(), [&](const auto& wanted) {
     const auto found = settings.find(wanted.key());
     return found != settings.end() && found->second == wanted.value();

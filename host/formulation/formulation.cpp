@@ -10,13 +10,6 @@
 
 namespace kreisel::core {
 
-Start parse_start(std::string_view text) {
-  if (text == "lower") return Start::lower;
-  if (text == "middle") return Start::middle;
-  if (text == "upper") return Start::upper;
-  throw InputError(fmt::format("start '{}'; expected lower, middle or upper", text));
-}
-
 double SparseForm::value(std::span<const double> x) const {
   double sum = 0;
   for (const SparseRows::Entry& e : entries)
@@ -59,11 +52,15 @@ std::vector<FormulationEntry> ours() {
       {"rayrep",
        "one solid segment [z0,z1] a ray [RayRep, s. 2-3]",
        make_rayrep,
-       {.derivatives = true, .heights = true}},
+       {.derivatives = true, .heights = true},
+       {"columns"},
+       rayrep_fields()},
       {"octree",
        "one fill in [0,1] a cell of an octree, refined along the voids [SpinIt, s. 5]",
        make_octree,
-       {.derivatives = true, .refinement = true}},
+       {.derivatives = true, .refinement = true},
+       {"columns"},
+       octree_fields()},
       {"quadric",
        "solid where a quadric is negative: ten coefficients, exact at the optimum [Hafner, Ly, Wojtan "
        "2024] "
@@ -84,9 +81,10 @@ Registry<FormulationEntry>& formulations() {
 const FormulationEntry& find_formulation(std::string_view name) { return formulations().find(name); }
 
 std::unique_ptr<Formulation> make_formulation(std::string_view name, const Columns& domain,
-                                              const Traits& traits, const FormulationSettings& settings,
+                                              const Traits& traits, const SettingTexts& settings,
                                               device::Device& device) {
-  return find_formulation(name).make(domain, traits, settings, device);
+  const FormulationEntry& entry = find_formulation(name);
+  return entry.make(domain, traits, entry.settings.read(settings, "formulation", name), device);
 }
 
 }  // namespace kreisel::core

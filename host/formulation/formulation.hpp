@@ -19,9 +19,6 @@ namespace kreisel::core {
 /// Where a solve starts: at the bounds, or half way between them. [RayRep, s. 3.3]
 enum class Start { lower, middle, upper };
 
-/// @throws InputError  not lower, middle or upper
-[[nodiscard]] Start parse_start(std::string_view text);
-
 struct Bounds {
   std::vector<double> lower, upper;
 };
@@ -109,7 +106,7 @@ class Formulation {
   [[nodiscard]] virtual std::vector<Cube> cells() const { return {}; }
 
   /// Its settings as they are in force, defaults included.
-  [[nodiscard]] virtual std::map<std::string, std::string> settings() const { return {}; }
+  [[nodiscard]] virtual SettingTexts settings() const { return {}; }
 
   /// The nearest interior made of whole voxels. [RayRep, s. 3.4]
   [[nodiscard]] virtual Rounded round(std::span<const double> x) const = 0;
@@ -122,9 +119,6 @@ class Formulation {
   /// Runs every kernel once, so that no timed solve pays for compiling.
   virtual void warm_up();
 };
-
-/// Settings of a formulation, from `--set formulation.NAME=VALUE`.
-using FormulationSettings = std::map<std::string, std::string>;
 
 /// What a solver may find in a formulation.
 struct Offers {
@@ -143,10 +137,11 @@ struct Offers {
 struct FormulationEntry {
   std::string name, summary;
   /// The domain and the device outlive the formulation.
-  std::unique_ptr<Formulation> (*make)(const Columns& domain, const Traits& traits,
-                                       const FormulationSettings& settings, device::Device& device);
+  std::unique_ptr<Formulation> (*make)(const Columns& domain, const Traits& traits, const Settings& settings,
+                                       device::Device& device);
   Offers offers = {.derivatives = true};
   std::vector<std::string> domains = {"columns"};  ///< that it works on, its own first: columns, exact
+  SettingTable settings = {};                      ///< that `make` reads
 };
 
 /// Those that there are, and such as were added.
@@ -158,7 +153,7 @@ struct FormulationEntry {
 /// @throws InputError  unknown formulation, unknown or unfit setting
 [[nodiscard]] std::unique_ptr<Formulation> make_formulation(std::string_view name, const Columns& domain,
                                                             const Traits& traits,
-                                                            const FormulationSettings& settings,
+                                                            const SettingTexts& settings,
                                                             device::Device& device);
 
 }  // namespace kreisel::core

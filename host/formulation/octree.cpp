@@ -8,22 +8,17 @@
 
 #include "error.hpp"
 #include "formulation/leaves.hpp"
-#include "parse.hpp"
+#include "settings/field_text.hpp"
 
 namespace kreisel::core {
 namespace {
 
-struct OctreeOptions {
-  double gamma = 1e-3;
-  double epsilon = 0.01;
-  int start_level = 0;
-};
-
 class Octree final : public Formulation {
  public:
-  Octree(const Columns& domain, const OctreeOptions& options, device::Device& device)
+  Octree(const Columns& domain, const OctreeSettings& settings, int start_level, device::Device& device)
       : domain_(domain),
-        options_(options),
+        settings_(settings),
+        start_level_(start_level),
         levels_(octree_levels(domain.grid)),
         first_(first_runs(domain)),
         leaves_(domain, device) {
@@ -34,10 +29,10 @@ class Octree final : public Formulation {
   std::size_t num_variables() const override { return leaves_.size(); }
   const Bounds& bounds() const override { return bounds_; }
   bool moments_are_linear() const override { return true; }
-  std::map<std::string, std::string> settings() const override {
-    return {{"gamma_l", fmt::format("{:g}", options_.gamma)},
-            {"epsilon", fmt::format("{:g}", options_.epsilon)},
-            {"start_level", std::to_string(options_.start_level)}};
+  SettingTexts settings() const override {
+    OctreeSettings in_force = settings_;
+    in_force.start_level = start_level_;
+    return SettingTable(octree_fields()).in_force(in_force);
   }
 
   Moments moments(std::span<const double> x) override {
@@ -54,7 +49,7 @@ class Octree final : public Formulation {
   const SparseForm* regulariser() const override { return weight_ > 0 ? &regulariser_ : nullptr; }
 
   void restart() override {
-    leaves_.start(1 << (levels_ - options_.start_level));
+    leaves_.start(1 << (levels_ - start_level_));
     update();
   }
 
@@ -127,7 +122,7 @@ class Octree final : public Formulation {
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(leaves_.size()); }
   [[nodiscard]] static bool solid(double fill) { return fill >= 0.5; }
   [[nodiscard]] bool fractional(double fill) const {
-    return fill >= options_.epsilon && fill <= 1 - options_.epsilon;
+    return fill >= settings_.epsilon && fill <= 1 - settings_.epsilon;
   }
 
   /// Leaves that are not yet voxels and either fractional, or beside one that rounds to the other side: there
@@ -155,7 +150,7 @@ class Octree final : public Formulation {
   /// Makes one of all leaves in a cube where these are its children, quiet and of one side: its fill is their
   /// mean. @return  whether there were any
   bool merge_siblings(std::vector<double>& fill, std::vector<std::uint8_t>& quiet) {
-    const int coarsest = 1 << (levels_ - options_.start_level);
+    const int coarsest = 1 << (levels_ - start_level_);
     const std::vector<Leaves::Family> families =
         leaves_.siblings(coarsest, [&](std::size_t begin, std::size_t end) {
           for (std::size_t c = begin; c < end; ++c)
@@ -194,7 +189,7 @@ class Octree final : public Formulation {
     // from the surface, where its derivative is zero. A regulariser in proportion keeps the layer of
     // fractional cells as many cells thick at every level.
     const int level = levels_ - std::countr_zero(static_cast<unsigned>(finest_));
-    weight_ = options_.gamma * std::pow(16.0, 3 - level);
+    weight_ = settings_.gamma_l * std::pow(16.0, 3 - level);
     std::vector<int> degree(leaves_.size());
     regulariser_.entries.clear();
     for (const auto& [low, high] : faces_) {
@@ -208,7 +203,8 @@ class Octree final : public Formulation {
   }
 
   const Columns& domain_;
-  OctreeOptions options_;
+  OctreeSettings settings_;
+  int start_level_;
   int levels_;
   std::vector<std::uint32_t> first_;
   Leaves leaves_;
@@ -222,27 +218,32 @@ class Octree final : public Formulation {
 
 }  // namespace
 
-std::unique_ptr<Formulation> make_octree(const Columns& domain, const Traits&,
-                                         const FormulationSettings& settings, device::Device& device) {
+Fields<OctreeSettings> octree_fields() {
+  using namespace field_text;
+  return {{"gamma_l", "", "weight of the regulariser at level 3; default 1e-3",
+           [](auto& s, auto k, auto v) { s.gamma_l = not_negative(k, v); },
+           [](auto& s) { return number_text(s.gamma_l); }},
+          {"epsilon", "", "a fill this near to 0 or 1 is none of a fraction; default 0.01",
+           [](auto& s, auto k, auto v) {
+             s.epsilon =
+                 number_where(k, v, "a number between 0 and 0.5", [](double e) { return e > 0 && e < 0.5; });
+           },
+           [](auto& s) { return number_text(s.epsilon); }},
+          {"start_level", "", "of the first cells; default half of the domain's levels",
+           [](auto& s, auto k, auto v) { s.start_level = whole(k, v, 0); },
+           [](auto& s) { return s.start_level ? std::to_string(*s.start_level) : std::string(); }}};
+}
+
+std::unique_ptr<Formulation> make_octree(const Columns& domain, const Traits&, const Settings& settings,
+                                         device::Device& device) {
   const int levels = octree_levels(domain.grid);
   const int coarsest = std::max(0, levels - std::countr_zero(static_cast<unsigned>(Cube::most_edge)));
-  OctreeOptions options{.start_level = std::max(coarsest, levels / 2)};
-  for (const auto& [name, value] : settings) {
-    const auto number = parse<double>(value);
-    const auto level = parse<int>(value);
-    if (name == "gamma_l" && number && *number >= 0 && std::isfinite(*number))
-      options.gamma = *number;
-    else if (name == "epsilon" && number && *number > 0 && *number < 0.5)
-      options.epsilon = *number;
-    else if (name == "start_level" && level && *level >= coarsest && *level <= levels)
-      options.start_level = *level;
-    else
-      throw InputError(
-          fmt::format("formulation.{} = {} for octree; expected gamma_l >= 0, 0 < epsilon < 0.5 or {} <= "
-                      "start_level <= {}",
-                      name, value, coarsest, levels));
-  }
-  return std::make_unique<Octree>(domain, options, device);
+  const auto given = settings_as<OctreeSettings>(settings);
+  if (const auto& level = given.start_level; level && (*level < coarsest || *level > levels))
+    throw InputError(fmt::format("formulation.start_level = {}; expected {} to {}, of the domain's levels",
+                                 *level, coarsest, levels));
+  return std::make_unique<Octree>(domain, given, given.start_level.value_or(std::max(coarsest, levels / 2)),
+                                  device);
 }
 
 }  // namespace kreisel::core

@@ -133,25 +133,14 @@ class Quadric final : public Formulation, public SupportOracle {
 
 }  // namespace
 
-namespace {
+namespace {}  // namespace
 
-void refuse_settings(const FormulationSettings& settings) {
-  if (!settings.empty())
-    throw InputError(fmt::format("formulation.{} = {} for quadric; it has no settings",
-                                 settings.begin()->first, settings.begin()->second));
-}
-
-}  // namespace
-
-std::unique_ptr<Formulation> make_quadric(const Columns& domain, const Traits&,
-                                          const FormulationSettings& settings, device::Device& device) {
-  refuse_settings(settings);
+std::unique_ptr<Formulation> make_quadric(const Columns& domain, const Traits&, const Settings&,
+                                          device::Device& device) {
   return std::make_unique<Quadric>(rays_of(domain), &domain, device);
 }
 
-std::unique_ptr<Formulation> make_quadric(const Rays& rays, const FormulationSettings& settings,
-                                          device::Device& device) {
-  refuse_settings(settings);
+std::unique_ptr<Formulation> make_quadric(const Rays& rays, device::Device& device) {
   return std::make_unique<Quadric>(rays, nullptr, device);
 }
 

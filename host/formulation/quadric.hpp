@@ -15,12 +15,11 @@ namespace kreisel::core {
 /// where q < 0, and its moments depend on the direction of x alone. An optimum of any problem of the ten
 /// moments has this form [Hafner, Ly, Wojtan 2024]. Offers its support oracle; curvature() is not diagonal
 /// and not offered. Rounds to the voxels whose centre has q < 0. No settings.
-std::unique_ptr<Formulation> make_quadric(const Columns& domain, const Traits& traits,
-                                          const FormulationSettings& settings, device::Device& device);
+std::unique_ptr<Formulation> make_quadric(const Columns& domain, const Traits& traits, const Settings&,
+                                          device::Device& device);
 
 /// The same over any intervals. They have no voxels: round() is not offered, see
 /// fabricate/quadric_cavity.hpp.
-std::unique_ptr<Formulation> make_quadric(const Rays& rays, const FormulationSettings& settings,
-                                          device::Device& device);
+std::unique_ptr<Formulation> make_quadric(const Rays& rays, device::Device& device);
 
 }  // namespace kreisel::core

@@ -6,13 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include "error.hpp"
 #include "formulation/ray_moments.hpp"
+#include "settings/field_text.hpp"
 
 namespace kreisel::core {
 namespace {
-
-enum class RayBounds { midpoint, ordered };
 
 struct RayRepOptions {
   Ends ends = Ends::both;
@@ -141,23 +139,29 @@ class RayRep final : public Formulation {
 
 }  // namespace
 
+Fields<RayRepSettings> rayrep_fields() {
+  using namespace field_text;
+  static const Words<std::optional<RayBounds>> bounds = {{"midpoint", RayBounds::midpoint},
+                                                         {"ordered", RayBounds::ordered}};
+  static const Words<bool> units = {{"cell", true}, {"body", false}};
+  return {{"bounds", "", "of both ends of a segment: midpoint or ordered; default as the problem fills rays",
+           [](auto& s, auto k, auto v) { s.bounds = word(bounds, k, v); },
+           [](auto& s) { return word_for(bounds, s.bounds); }},
+          {"unit", "", "of the ends: cell (default) or body",
+           [](auto& s, auto k, auto v) { s.cell_unit = word(units, k, v); },
+           [](auto& s) { return word_for(units, s.cell_unit); }}};
+}
+
 std::unique_ptr<Formulation> make_rayrep(const Columns& domain, const Traits& traits,
-                                         const FormulationSettings& settings, device::Device& device) {
-  RayRepOptions options{
-      .ends = traits.filling == Filling::from_below ? Ends::upper : Ends::both,
-      .bounds = traits.filling == Filling::either_end ? RayBounds::ordered : RayBounds::midpoint};
-  for (const auto& [name, value] : settings) {
-    if (name == "bounds" && (value == "midpoint" || value == "ordered"))
-      options.bounds = value == "ordered" ? RayBounds::ordered : RayBounds::midpoint;
-    else if (name == "unit" && (value == "cell" || value == "body"))
-      options.cell_unit = value == "cell";
-    else
-      throw InputError(
-          fmt::format("formulation.{} = {} for rayrep; expected bounds = midpoint or ordered, or unit = "
-                      "cell or body",
-                      name, value));
-  }
-  return std::make_unique<RayRep>(domain, options, device);
+                                         const Settings& settings, device::Device& device) {
+  const auto given = settings_as<RayRepSettings>(settings);
+  const RayBounds usual = traits.filling == Filling::either_end ? RayBounds::ordered : RayBounds::midpoint;
+  return std::make_unique<RayRep>(
+      domain,
+      RayRepOptions{.ends = traits.filling == Filling::from_below ? Ends::upper : Ends::both,
+                    .bounds = given.bounds.value_or(usual),
+                    .cell_unit = given.cell_unit},
+      device);
 }
 
 }  // namespace kreisel::core

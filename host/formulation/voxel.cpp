@@ -54,10 +54,8 @@ class Voxel final : public Formulation {
 
 }  // namespace
 
-std::unique_ptr<Formulation> make_voxel(const Columns& domain, const Traits&,
-                                        const FormulationSettings& settings, device::Device& device) {
-  if (!settings.empty())
-    throw InputError(fmt::format("formulation.{}; voxel has no settings", settings.begin()->first));
+std::unique_ptr<Formulation> make_voxel(const Columns& domain, const Traits&, const Settings&,
+                                        device::Device& device) {
   return std::make_unique<Voxel>(domain, device);
 }
 

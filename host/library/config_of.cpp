@@ -41,6 +41,7 @@ RunConfig config_of(const Question& question) {
       const bool whole = name.find('.') != std::string::npos;
       set_field(config, whole ? name : group + "." + name, value);
     }
+  require_settings(config);
   return config;
 }
 

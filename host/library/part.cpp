@@ -63,7 +63,7 @@ Verdict verify(const std::vector<std::filesystem::path>& files, const Body& body
   const core::RunConfig config = core::config_of(question);
   const core::ProblemEntry& asked = core::find_problem(config.problem);
   const core::Body solid = core::make_body(asked.posed(config.body), *body.state_);
-  const auto problem = asked.make(core::settings_of(config, "problem"), solid);
+  const auto problem = asked.make(core::problem_settings(config), solid);
   std::vector<core::WrittenMaterial> materials;
   for (const std::filesystem::path& file : files) {
     const std::vector<core::TriangleMesh> meshes = core::read_objects(file);

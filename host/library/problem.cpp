@@ -18,14 +18,16 @@ void add_problem(ProblemSpec spec) {
     return PosedBody{body.mesh,         body.frame.rotation, body.frame.origin,
                      body.frame.length, body.solid,          body.density};
   };
+  entry.settings = core::SettingTable::open();
   if (spec.choices)
-    entry.choices = [choices = std::move(spec.choices), posed](const core::ProblemSettings& settings,
+    entry.choices = [choices = std::move(spec.choices), posed](const core::Settings& settings,
                                                                const core::Body& body) {
-      return choices(settings, posed(body));
+      const auto each = choices(core::settings_as<core::SettingTexts>(settings), posed(body));
+      return std::vector<core::Settings>(each.begin(), each.end());
     };
-  entry.make = [make = std::move(spec.make), name = entry.name, posed](const core::ProblemSettings& settings,
+  entry.make = [make = std::move(spec.make), name = entry.name, posed](const core::Settings& settings,
                                                                        const core::Body& body) {
-    std::unique_ptr<Problem> problem = make(settings, posed(body));
+    std::unique_ptr<Problem> problem = make(core::settings_as<core::SettingTexts>(settings), posed(body));
     if (!problem) throw InputError("problem '" + name + "' was not made; expected an object");
     const LinearConstraints& c = problem->constraints();
     const Eigen::Index rows = c.matrix.rows();

@@ -5,8 +5,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "error.hpp"
-#include "parse.hpp"
+#include "settings/field_text.hpp"
 
 namespace kreisel::core {
 
@@ -45,18 +44,26 @@ Verdict Balance::verify(const Moments& s, double length_mm) const {
   return verdict;
 }
 
-std::unique_ptr<Problem> make_balance(const ProblemSettings& settings, const Body& body) {
-  std::optional<Vec3> point, line;
-  for (const auto& [name, text] : settings) {
-    const auto vector = parse_vector(text);
-    if (name == "point" && vector)
-      point = vector;
-    else if (name == "line" && vector && vector->norm() > 0)
-      line = vector;
-    else
-      throw InputError(fmt::format(
-          "problem.{} = {} for balance; expected point = x,y,z (mm) or line = x,y,z (not zero)", name, text));
-  }
+Fields<LineSettings> line_fields(std::string_view point, std::string_view line) {
+  using namespace field_text;
+  const auto text = [](const std::optional<Vec3>& v) { return v ? text_of(*v) : std::string(); };
+  return {{"point", "x,y,z", point, [](auto& s, auto k, auto v) { s.point = vector(k, v); },
+           [text](auto& s) { return text(s.point); }},
+          {"line", "x,y,z", line,
+           [](auto& s, auto k, auto v) {
+             s.line = vector(k, v);
+             if (s.line->norm() == 0) refuse(k, v, "a direction x,y,z other than zero");
+           },
+           [text](auto& s) { return text(s.line); }}};
+}
+
+Fields<LineSettings> balance_fields() {
+  return line_fields("where the centre of mass is to be, mm, model coordinates",
+                     "direction of a line through that point; default the point itself");
+}
+
+std::unique_ptr<Problem> make_balance(const Settings& settings, const Body& body) {
+  const auto [point, line] = settings_as<LineSettings>(settings);
   if (!point)
     throw InputError(
         "balance needs to know where; expected --set problem.point=x,y,z (mm, model coordinates)");

@@ -36,10 +36,18 @@ class Balance final : public Problem {
   LinearConstraints constraints_;
 };
 
-/// settings  point = x,y,z  model coordinates, mm; required
-///           line  = x,y,z  direction of a line through the point, model coordinates; default: the point
-///           itself
-/// @throws InputError  another setting, no point, no direction
-std::unique_ptr<Problem> make_balance(const ProblemSettings& settings, const Body& body);
+/// Model coordinates, mm.
+struct LineSettings {
+  std::optional<Vec3> point;
+  std::optional<Vec3> line;  ///< direction of a line through it; not zero
+};
+
+[[nodiscard]] Fields<LineSettings> balance_fields();
+/// Of these two settings. @param point, line  what they say here, for help
+[[nodiscard]] Fields<LineSettings> line_fields(std::string_view point, std::string_view line);
+
+/// @param settings  LineSettings, with a point; without a line at the point itself
+/// @throws InputError  no point
+std::unique_ptr<Problem> make_balance(const Settings& settings, const Body& body);
 
 }  // namespace kreisel::core

@@ -43,11 +43,6 @@ Vec3 way(const Vec3& start, const Vec3& fairest) {
   return along.norm() > 1e-9 ? along : Vec3::UnitZ();
 }
 
-void refuse_settings(const ProblemSettings& settings) {
-  for (const auto& [name, text] : settings)
-    throw InputError(fmt::format("problem.{} = {} for die; expected none", name, text));
-}
-
 }  // namespace
 
 std::vector<double> face_shares(const ConvexHull& hull, const Vec3& centre) {
@@ -139,15 +134,13 @@ Verdict Die::verify(const Moments& s, double length_mm) const {
   return verdict;
 }
 
-std::unique_ptr<Problem> make_die(const ProblemSettings& settings, const Body& body) {
-  refuse_settings(settings);
+std::unique_ptr<Problem> make_die(const Settings&, const Body& body) {
   return std::make_unique<Die>(hull_of_body(body), body.solid);
 }
 
-std::optional<Vec3> rays_of_die(const ProblemSettings& settings, const Body& body) {
-  refuse_settings(settings);
+std::optional<Vec3> rays_of_die(const Settings&, const Body& body) {
   const Vec3 at = body.frame.to_model(Die(hull_of_body(body), body.solid).fairest());
-  return rays_of_balance({{"point", fmt::format("{},{},{}", at[0], at[1], at[2])}}, body);
+  return rays_of_balance(LineSettings{at, {}}, body);
 }
 
 }  // namespace kreisel::core

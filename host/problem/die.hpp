@@ -50,8 +50,8 @@ class Die final : public Problem {
   Moments numerator_ = Moments::Zero();  ///< t s1, as a form of s
 };
 
-/// No settings. @throws InputError  any
-std::unique_ptr<Problem> make_die(const ProblemSettings& settings, const Body& body);
-[[nodiscard]] std::optional<Vec3> rays_of_die(const ProblemSettings& settings, const Body& body);
+/// It has no settings.
+std::unique_ptr<Problem> make_die(const Settings&, const Body& body);
+[[nodiscard]] std::optional<Vec3> rays_of_die(const Settings&, const Body& body);
 
 }  // namespace kreisel::core

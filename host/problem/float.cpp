@@ -7,8 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "error.hpp"
-#include "parse.hpp"
+#include "settings/field_text.hpp"
 
 namespace kreisel::core {
 
@@ -82,47 +81,78 @@ Verdict Float::verify(const Moments& s, double length_mm) const {
 
 namespace {
 
-/// Waterline for `text`, body frame. @param fluid  g/cm^3
-double waterline_for(const std::string& text, const Body& body, double fluid) {
+DraftSpec draft(std::string_view key, std::string_view text) {
+  const auto above_none = [](std::optional<double> v) { return v && *v > 0; };
+  if (text == "solid") return {DraftSpec::solid, 0};
+  if (text == "auto") return {DraftSpec::open, 0};
+  if (const auto share = parse_with_unit(text, "%"); above_none(share) && *share <= 100)
+    return {DraftSpec::share, *share / 100};
+  if (const auto grams = parse_with_unit(text, "g"); above_none(grams)) return {DraftSpec::mass, *grams};
+  if (const auto depth = parse<double>(text.ends_with("mm") ? text.substr(0, text.size() - 2) : text);
+      above_none(depth))
+    return {DraftSpec::depth, *depth};
+  field_text::refuse(key, text,
+                     "a share of the height such as 60%, a depth in mm, a mass such as 40g, solid or auto");
+}
+
+std::string text_of(const DraftSpec& draft) {
+  switch (draft.kind) {
+    case DraftSpec::share:
+      return fmt::format("{}%", 100 * draft.value);
+    case DraftSpec::mass:
+      return fmt::format("{}g", draft.value);
+    case DraftSpec::depth:
+      return fmt::format("{}mm", draft.value);
+    case DraftSpec::solid:
+      return "solid";
+    case DraftSpec::open:
+      break;
+  }
+  return "auto";
+}
+
+/// Body frame. @param fluid  g/cm^3
+double waterline_for(const DraftSpec& draft, const Body& body, double fluid) {
   const Box box = bounding_box(body.local);
   const double height = box.extent()[2];
-  if (const auto share = parse_with_unit(text, "%"); share && *share > 0 && *share <= 100)
-    return box.lo[2] + *share / 100 * height;
-  const double grams = text == "solid" ? body.mass_grams() : parse_with_unit(text, "g").value_or(0);
-  if (grams > 0) {
-    const double most = fluid / body.density * body.mass_grams();
-    if (!(grams < most))
-      throw InputError(
-          fmt::format("problem.draft = {}: {} sinks with {:.4g} g; expected less than the "
-                      "{:.4g} g of fluid that it displaces when submerged",
-                      text, body.name, grams, most));
-    return waterline_of(body.local, body.solid[S1] * grams / most);
+  switch (draft.kind) {
+    case DraftSpec::share:
+      return box.lo[2] + draft.value * height;
+    case DraftSpec::mass:
+    case DraftSpec::solid: {
+      const double grams = draft.kind == DraftSpec::solid ? body.mass_grams() : draft.value;
+      const double most = fluid / body.density * body.mass_grams();
+      if (!(grams < most))
+        throw InputError(
+            fmt::format("problem.draft = {}: {} sinks with {:.4g} g; expected less than the "
+                        "{:.4g} g of fluid that it displaces when submerged",
+                        text_of(draft), body.name, grams, most));
+      return waterline_of(body.local, body.solid[S1] * grams / most);
+    }
+    case DraftSpec::depth:
+      if (draft.value <= height * body.frame.length) return box.lo[2] + draft.value / body.frame.length;
+      throw InputError(fmt::format("problem.draft = {}: {} is {:.4g} mm high; expected a depth up to that",
+                                   text_of(draft), body.name, height * body.frame.length));
+    case DraftSpec::open:
+      break;
   }
-  const auto depth = parse<double>(text.ends_with("mm") ? text.substr(0, text.size() - 2) : text);
-  if (depth && *depth > 0 && *depth <= height * body.frame.length)
-    return box.lo[2] + *depth / body.frame.length;
-  throw InputError(
-      fmt::format("problem.draft = {}; expected a share of the height such as 60%, a depth up to {:.4g} mm, "
-                  "a mass such as "
-                  "40g, or solid",
-                  text, height * body.frame.length));
+  throw InputError("problem.draft = auto: a draft that is to be found; expected one that is known");
 }
 
 }  // namespace
 
-std::unique_ptr<Problem> make_float(const ProblemSettings& settings, const Body& body) {
-  std::string draft = "60%";
-  double fluid = 1;
-  for (const auto& [name, text] : settings) {
-    if (name == "draft")
-      draft = text;
-    else if (name == "fluid_density" && parse<double>(text).value_or(0) > 0)
-      fluid = *parse<double>(text);
-    else
-      throw InputError(fmt::format(
-          "problem.{} = {} for float; expected draft = 60% (or mm, or grams), or fluid_density > 0 g/cm^3",
-          name, text));
-  }
+Fields<FloatSettings> float_fields() {
+  using namespace field_text;
+  return {{"draft", "", "60% of the height (default), mm, grams (40g), solid, or auto",
+           [](auto& s, auto k, auto v) { s.draft = draft(k, v); },
+           [](auto& s) { return kreisel::core::text_of(s.draft); }},
+          {"fluid_density", "g/cm^3", "default 1",
+           [](auto& s, auto k, auto v) { s.fluid_density = positive(k, v); },
+           [](auto& s) { return number_text(s.fluid_density); }}};
+}
+
+std::unique_ptr<Problem> make_float(const Settings& settings, const Body& body) {
+  const auto [draft, fluid] = settings_as<FloatSettings>(settings);
   Draft result;
   result.water = hydrostatics(body.local, waterline_for(draft, body, fluid));
   result.fluid = fluid;
@@ -134,14 +164,14 @@ std::unique_ptr<Problem> make_float(const ProblemSettings& settings, const Body&
   return std::make_unique<Float>(result);
 }
 
-std::vector<ProblemSettings> drafts_of(const ProblemSettings& settings, const Body&) {
-  const auto draft = settings.find("draft");
-  if (draft == settings.end() || draft->second != "auto") return {settings};
-  std::vector<ProblemSettings> all;
+std::vector<Settings> drafts_of(const Settings& settings, const Body&) {
+  auto each = settings_as<FloatSettings>(settings);
+  if (each.draft.kind != DraftSpec::open) return {settings};
+  std::vector<Settings> all;
   // Shares of the height: what displaces nothing like what the body can weigh is infeasible at once.
   for (const int percent : {25, 40, 50, 60, 70, 85}) {
-    all.push_back(settings);
-    all.back()["draft"] = fmt::format("{}%", percent);
+    each.draft = {DraftSpec::share, percent / 100.0};
+    all.emplace_back(each);
   }
   return all;
 }

@@ -47,15 +47,31 @@ class Float final : public Problem {
   LinearConstraints constraints_;
 };
 
-/// settings  draft         = 60% (of the height; default) | depth in mm | mass in grams, such as 40g | solid
-/// (as
-///                           deep as the solid body sinks)
-///           fluid_density = g/cm^3, default 1
-/// @throws InputError  another setting, a draft outside the body, or a mass that displaces more than the body
-std::unique_ptr<Problem> make_float(const ProblemSettings& settings, const Body& body);
+/// How deep a body is to lie in the water.
+struct DraftSpec {
+  enum Kind {
+    share,  ///< of the height
+    depth,  ///< mm
+    mass,   ///< g, that it displaces
+    solid,  ///< as the solid body sinks
+    open    ///< to be found: drafts_of()
+  };
+  Kind kind = share;
+  double value = 0.6;
+};
 
-/// Settings with draft = auto: one with each of the drafts to try, six from 25 to 85 % of the height.
+struct FloatSettings {
+  DraftSpec draft;
+  double fluid_density = 1;  ///< g/cm^3
+};
+
+[[nodiscard]] Fields<FloatSettings> float_fields();
+/// @param settings  FloatSettings
+/// @throws InputError  a draft outside the body or left open, or a mass that displaces more than the body
+std::unique_ptr<Problem> make_float(const Settings& settings, const Body& body);
+
+/// Settings with an open draft: one with each of the drafts to try, six from 25 to 85 % of the height.
 /// Others as they are.
-[[nodiscard]] std::vector<ProblemSettings> drafts_of(const ProblemSettings& settings, const Body&);
+[[nodiscard]] std::vector<Settings> drafts_of(const Settings& settings, const Body&);
 
 }  // namespace kreisel::core

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "error.hpp"
-#include "parse.hpp"
 #include "physics/units.hpp"
 #include "problem/ray_direction.hpp"
 
@@ -18,20 +16,9 @@ struct Suspension {
   Vec3 point, up;
 };
 
-Suspension suspension_of(const ProblemSettings& settings, const Body& body) {
-  std::optional<Vec3> point;
-  Vec3 up = body.usual.up;
-  for (const auto& [name, text] : settings) {
-    const auto vector = parse_vector(text);
-    if (name == "point" && vector && vector->allFinite())
-      point = vector;
-    else if (name == "line" && vector && vector->allFinite() && vector->norm() > 0)
-      up = *vector;
-    else
-      throw InputError(
-          fmt::format("problem.{} = {} for hang; expected point = x,y,z (mm) or line = x,y,z (up, not zero)",
-                      name, text));
-  }
+Suspension suspension_of(const Settings& settings, const Body& body) {
+  const auto [point, line] = settings_as<LineSettings>(settings);
+  const Vec3 up = line.value_or(body.usual.up);
   return {point ? *point : lowest_point(body.mesh, -up), up};
 }
 
@@ -70,15 +57,19 @@ Verdict Hang::verify(const Moments& s, double length_mm) const {
   return verdict;
 }
 
-std::unique_ptr<Problem> make_hang(const ProblemSettings& settings, const Body& body) {
+Fields<LineSettings> hang_fields() {
+  return line_fields("from where it hangs, mm, model coordinates; default the highest point",
+                     "which way is up; default the model's");
+}
+
+std::unique_ptr<Problem> make_hang(const Settings& settings, const Body& body) {
   const Suspension at = suspension_of(settings, body);
   return std::make_unique<Hang>(body.frame.to_body(at.point), body.frame.rotation * at.up);
 }
 
-std::optional<Vec3> rays_of_hang(const ProblemSettings& settings, const Body& body) {
+std::optional<Vec3> rays_of_hang(const Settings& settings, const Body& body) {
   const Suspension at = suspension_of(settings, body);
-  const auto text = [](const Vec3& v) { return fmt::format("{},{},{}", v[0], v[1], v[2]); };
-  return rays_of_balance({{"point", text(at.point)}, {"line", text(at.up)}}, body);
+  return rays_of_balance(LineSettings{at.point, at.up}, body);
 }
 
 }  // namespace kreisel::core

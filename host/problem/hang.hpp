@@ -29,12 +29,12 @@ class Hang final : public Problem {
   LinearConstraints constraints_;
 };
 
-/// settings  point = x,y,z  from which it hangs, model coordinates, mm; default its highest point
-///           line  = x,y,z  up, model coordinates; default the model's up
-/// @throws InputError  another setting, no direction
-std::unique_ptr<Problem> make_hang(const ProblemSettings& settings, const Body& body);
+[[nodiscard]] Fields<LineSettings> hang_fields();
+/// @param settings  LineSettings: the point from which it hangs, by default its highest, and which way is up,
+///                  by default the model's
+std::unique_ptr<Problem> make_hang(const Settings& settings, const Body& body);
 
 /// As rays_of_balance(): the cut stands upright.
-[[nodiscard]] std::optional<Vec3> rays_of_hang(const ProblemSettings& settings, const Body& body);
+[[nodiscard]] std::optional<Vec3> rays_of_hang(const Settings& settings, const Body& body);
 
 }  // namespace kreisel::core

@@ -36,27 +36,28 @@ double value_of(const Values& values, const char* name) {
   return entry == values.end() ? Misses::none : entry->second;
 }
 
-Misses misses_axis(const Values& values, const ProblemSettings&) {
+Misses misses_axis(const Values& values, const Settings&) {
   return {value_of(values, "off_axis_mm"), value_of(values, "tilt_degrees")};
 }
 
-Misses misses_axle(const Values& values, const ProblemSettings&) {
+Misses misses_axle(const Values& values, const Settings&) {
   return {std::hypot(value_of(values, "off_axis_mm"), value_of(values, "centre_of_mass_z_mm")),
           value_of(values, "tilt_degrees")};
 }
 
 /// Of what is to stand anywhere inside its base: how far outside of it.
-Misses misses_base(const Values& values, const ProblemSettings& settings) {
-  const auto target = settings.find("target");
-  const bool over_centre = target == settings.end() || target->second == "centre";
+Misses misses_base(const Values& values, const Settings& settings) {
+  const bool over_centre = settings_as<StandSettings>(settings).target == StandTarget::centre;
   return {over_centre ? value_of(values, "off_centroid_mm") : std::max(0.0, -value_of(values, "inside_mm"))};
 }
 
-Misses misses_buoyancy(const Values& values, const ProblemSettings&) {
+Misses misses_buoyancy(const Values& values, const Settings&) {
   return {value_of(values, "offset_mm"), Misses::none, value_of(values, "excess_mass")};
 }
 
-Misses misses_point(const Values& values, const ProblemSettings&) { return {value_of(values, "offset_mm")}; }
+Misses misses_point(const Values& values, const Settings&) { return {value_of(values, "offset_mm")}; }
+
+using Names = std::vector<std::string_view>;
 
 std::vector<ProblemEntry> ours() {
   return {
@@ -64,9 +65,10 @@ std::vector<ProblemEntry> ours() {
        .summary =
            "spins about its axis: centre of mass on it, principal, and the largest moment [RayRep, eq. 7-10]",
        .make = make_spin,
-       .for_solid = ProblemSettings{},
-       .settings = {"lambda", "gamma_i"},
-       .weights = {{"lambda", "0"}, {"gamma_i", "1"}},
+       .for_solid = SettingTexts{},
+       .settings = spin_fields(),
+       .weights = {"lambda", "gamma_i"},
+       .made = {"a spinning top: it spins about the axis", {}, Names{"axis", "contact", "stem", "tip"}},
        .moves = Moves::spins,
        .map = MapCases{},
        .misses = misses_axis,
@@ -75,8 +77,11 @@ std::vector<ProblemEntry> ours() {
        .summary = "spins on its tip: as spin, with centre of mass and mass lowered, or the height alone "
                   "[SpinIt, eq. 3]",
        .make = make_top,
-       .settings = {"lower", "gamma_c", "gamma_i", "form"},
-       .weights = {{"lower", "mass"}, {"gamma_c", "1"}, {"gamma_i", "1"}, {"form", "trace"}},
+       .settings = top_fields(),
+       .weights = {"lower", "gamma_c", "gamma_i", "form"},
+       .made = {"a spinning top whose centre of mass is low: it spins slowly, too",
+                {},
+                Names{"axis", "contact", "stem", "tip"}},
        .verb = "spin",
        .moves = Moves::spins,
        .misses = misses_axis,
@@ -85,9 +90,12 @@ std::vector<ProblemEntry> ours() {
        .summary = "spins about its axle: centre of mass at the axle's centre, principal, and the largest "
                   "moment [SpinIt, eq. 2]",
        .make = make_yoyo,
-       .settings = {"gamma_i", "form"},
-       .weights = {{"gamma_i", "1"}, {"form", "trace"}},
+       .settings = yoyo_fields(),
+       .weights = {"gamma_i", "form"},
        .centred = true,
+       .made = {"a yo-yo: it spins about its axle",
+                {},
+                Names{"axis", "contact", "axle", "slot", "axle-depth"}},
        .verb = "spin",
        .moves = Moves::spins,
        .misses = misses_axle,
@@ -95,9 +103,10 @@ std::vector<ProblemEntry> ours() {
       {.name = "stand",
        .summary = "stands: centre of mass over the base and low, or the largest tilt before toppling",
        .make = make_stand,
-       .for_solid = ProblemSettings{},
+       .for_solid = SettingTexts{},
        .upright = true,
-       .settings = {"target", "margin", "base"},
+       .settings = stand_fields(),
+       .made = {"it stands on what is lowest", {{"target", "max-tilt"}}, Names{"up", "flatten"}},
        .moves = Moves::topples,
        .misses = misses_base,
        .poses = Poses::rest},
@@ -105,20 +114,23 @@ std::vector<ProblemEntry> ours() {
        .summary =
            "floats upright at a given draft: centre of mass over that of buoyancy, and low [RayRep, eq. 3-5]",
        .make = make_float,
-       .for_solid = ProblemSettings{{"draft", "solid"}},
+       .for_solid = SettingTexts{{"draft", "solid"}},
        .upright = true,
-       .settings = {"draft", "fluid_density"},
+       .settings = float_fields(),
+       .made = {.help = "it floats upright at a given draft"},
        .moves = Moves::heels,
        .map = MapCases{"draft", {"20%", "40%", "60%", "80%"}, "60%"},
        .misses = misses_buoyancy,
        .poses = Poses::any,
+       .chosen = "draft",
        .choices = drafts_of},
       {.name = "balance",
        .summary = "centre of mass at a given point or on a given line, with as much material as possible",
        .make = make_balance,
        .upright = true,
-       .settings = {"point", "line"},
+       .settings = balance_fields(),
        .rays = rays_of_balance,
+       .made = {.help = "its centre of mass is at a point, or on a line"},
        .misses = misses_point},
       {.name = "hang",
        .summary =
@@ -126,8 +138,9 @@ std::vector<ProblemEntry> ours() {
            "as possible",
        .make = make_hang,
        .upright = true,
-       .settings = {"point", "line"},
+       .settings = hang_fields(),
        .rays = rays_of_hang,
+       .made = {.help = "hung from a point it keeps its pose", .shape = Names()},
        .misses = misses_point},
       {.name = "die",
        .summary =
@@ -135,11 +148,19 @@ std::vector<ProblemEntry> ours() {
        .make = make_die,
        .upright = true,
        .rays = rays_of_die,
+       .made = {.help = "a fair die: its faces come up alike", .shape = Names()},
        .verb = "be a fair die"},
   };
 }
 
 }  // namespace
+
+SettingTexts ProblemEntry::usual_weights() const {
+  SettingTexts all = settings.in_force(read({}));
+  std::erase_if(all,
+                [&](const auto& entry) { return std::ranges::find(weights, entry.first) == weights.end(); });
+  return all;
+}
 
 Registry<ProblemEntry>& problems() {
   static Registry<ProblemEntry> all("problem", ours());
@@ -148,9 +169,9 @@ Registry<ProblemEntry>& problems() {
 
 const ProblemEntry& find_problem(std::string_view name) { return problems().find(name); }
 
-std::unique_ptr<Problem> make_problem(std::string_view name, const ProblemSettings& settings,
-                                      const Body& body) {
-  return find_problem(name).make(settings, body);
+std::unique_ptr<Problem> make_problem(std::string_view name, const SettingTexts& settings, const Body& body) {
+  const ProblemEntry& entry = find_problem(name);
+  return entry.make(entry.read(settings), body);
 }
 
 }  // namespace kreisel::core

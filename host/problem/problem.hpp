@@ -13,6 +13,7 @@
 #include "body/body.hpp"
 #include "kreisel/problem.hpp"
 #include "registry.hpp"
+#include "settings/settings.hpp"
 
 namespace kreisel::core {
 
@@ -30,9 +31,6 @@ using kreisel::Verdict;
 /// Largest violation of the problem's constraints, body units; of nonlinear rows where they are in the
 /// moments alone.
 [[nodiscard]] double violation(const Problem& problem, const Moments& s);
-
-/// Settings of a problem, from `--set problem.NAME=VALUE`.
-using ProblemSettings = std::map<std::string, std::string>;
 
 /// What a finished part of a problem does when it is set in motion.
 enum class Moves { nothing, spins, topples, heels };
@@ -52,31 +50,48 @@ struct Misses {
   double excess_mass = none;   ///< above the displaced fluid's, as a share of that
 };
 
+/// What `design` makes of a problem.
+struct Made {
+  std::string help = {};       ///< what a maker gets; empty: the problem's summary
+  SettingTexts settings = {};  ///< where a maker is better served by others than a researcher
+  /// Fields of how the body lies and is shaped that count; nothing: the direction that the problem goes by.
+  std::optional<std::vector<std::string_view>> shape = {};
+};
+
 /// One line of `bench list` and the way to make the problem.
 struct ProblemEntry {
   std::string name, summary;
   /// @param body  what is to spin, stand or float; not kept
-  std::function<std::unique_ptr<Problem>(const ProblemSettings& settings, const Body& body)> make;
+  std::function<std::unique_ptr<Problem>(const Settings& settings, const Body& body)> make;
   /// The settings with which a solid is judged as it is; nothing when the problem asks for more than a solid
   /// has.
-  std::optional<ProblemSettings> for_solid = {};
-  bool upright = false;                    ///< goes by the body's up direction, not by its spin axis
-  std::vector<std::string> settings = {};  ///< names that `make` knows
-  ProblemSettings weights = {};            ///< those that say what f is, with their defaults
+  std::optional<SettingTexts> for_solid = {};
+  bool upright = false;                   ///< goes by the body's up direction, not by its spin axis
+  SettingTable settings = {};             ///< that `make` reads
+  std::vector<std::string> weights = {};  ///< those of them that say what f is
   bool centred = false;  ///< the body frame's origin is its centre of mass where no point is given
   /// Which way the rays of a domain had best run, model coordinates, where the problem leaves that open and
   /// its settings tell; nothing: along the body's own axis. Such rays serve no other question.
-  std::function<std::optional<Vec3>(const ProblemSettings& settings, const Body& body)> rays = {};
+  std::function<std::optional<Vec3>(const Settings& settings, const Body& body)> rays = {};
+  Made made = {};
   std::string verb = {};  ///< what the body is to do; empty: as the problem is called
   Moves moves = Moves::nothing;
   std::optional<MapCases> map = {};  ///< nothing: orientations are not mapped
   /// From a verdict's values on a solid; nothing: nobody can say.
-  std::function<Misses(const std::map<std::string, double>& values, const ProblemSettings& settings)> misses =
-      {};
+  std::function<Misses(const std::map<std::string, double>& values, const Settings& settings)> misses = {};
   Poses poses = Poses::none;  ///< what `auto` may choose
-  /// The settings that `auto` in one of them stands for, in any order; nothing: `make` takes them as they
+  std::string chosen = {};    ///< the setting that takes `auto`
+  /// The settings that `auto` in it stands for, in any order; nothing: `make` takes them as they
   /// are.
-  std::function<std::vector<ProblemSettings>(const ProblemSettings& settings, const Body& body)> choices = {};
+  std::function<std::vector<Settings>(const Settings& settings, const Body& body)> choices = {};
+
+  /// @throws InputError  an unknown setting, or a value that does not fit
+  [[nodiscard]] Settings read(const SettingTexts& given) const {
+    return settings.read(given, "problem", name);
+  }
+
+  /// What f weighs by as long as nothing else is said.
+  [[nodiscard]] SettingTexts usual_weights() const;
 
   /// A body as this problem poses it.
   [[nodiscard]] BodySpec posed(BodySpec spec) const {
@@ -93,7 +108,7 @@ struct ProblemEntry {
 [[nodiscard]] const ProblemEntry& find_problem(std::string_view name);
 
 /// @throws InputError  unknown problem, unknown or unfit setting, or a body the problem makes no sense for
-[[nodiscard]] std::unique_ptr<Problem> make_problem(std::string_view name, const ProblemSettings& settings,
+[[nodiscard]] std::unique_ptr<Problem> make_problem(std::string_view name, const SettingTexts& settings,
                                                     const Body& body);
 
 }  // namespace kreisel::core

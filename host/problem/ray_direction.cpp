@@ -9,7 +9,7 @@
 
 namespace kreisel::core {
 
-std::optional<Vec3> rays_of_balance(const ProblemSettings& settings, const Body& body) {
+std::optional<Vec3> rays_of_balance(const Settings& settings, const Body& body) {
   const auto made = make_balance(settings, body);
   const auto& balance = dynamic_cast<const Balance&>(*made);
   const Moments& s = body.solid;

@@ -17,6 +17,6 @@ namespace kreisel::core {
 ///
 /// @return  model coordinates; nothing where there is nothing to move, or where the body's own axis is within
 ///          54.7 degrees of a, as one of three axes always is
-[[nodiscard]] std::optional<Vec3> rays_of_balance(const ProblemSettings& settings, const Body& body);
+[[nodiscard]] std::optional<Vec3> rays_of_balance(const Settings& settings, const Body& body);
 
 }  // namespace kreisel::core

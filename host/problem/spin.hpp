@@ -21,7 +21,8 @@ class Spin final : public Spinning {
   [[nodiscard]] Convexity convexity() const override { return Convexity::spin; }
 };
 
-/// @throws InputError  a setting other than lambda, gamma_i, or out of range
-std::unique_ptr<Problem> make_spin(const ProblemSettings& settings, const Body& body);
+[[nodiscard]] Fields<SpinOptions> spin_fields();
+/// @param settings  SpinOptions
+std::unique_ptr<Problem> make_spin(const Settings& settings, const Body& body);
 
 }  // namespace kreisel::core

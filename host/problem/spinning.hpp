@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "problem/problem.hpp"
+#include "settings/field_text.hpp"
 
 namespace kreisel::core {
 
@@ -27,6 +28,24 @@ struct SpinWeights {
 /// How the lateral moments enter: `trace`, as tr(J^2) [SpinIt 2017]; `angle`, as those about axes that an
 /// angle phi turns, a variable of its own [SpinIt 2014, eq. 6]: the same problem, see principal_angle.hpp.
 enum class SpinForm { trace, angle };
+
+/// Settings that several kinds of it have.
+template <class Options>
+[[nodiscard]] Field<Options> inertia_weight_field() {
+  return {"gamma_i", "", "weight of the inertia ratio; default 1",
+          [](auto& o, auto k, auto v) { o.gamma_i = field_text::positive(k, v); },
+          [](auto& o) { return field_text::number_text(o.gamma_i); }};
+}
+[[nodiscard]] inline const field_text::Words<SpinForm>& spin_forms() {
+  static const field_text::Words<SpinForm> all = {{"trace", SpinForm::trace}, {"angle", SpinForm::angle}};
+  return all;
+}
+template <class Options>
+[[nodiscard]] Field<Options> form_field() {
+  return {"form", "", "how the lateral moments enter: trace (default) [SpinIt 2017] or angle [2014]",
+          [](auto& o, auto k, auto v) { o.form = field_text::word(spin_forms(), k, v); },
+          [](auto& o) { return field_text::word_for(spin_forms(), o.form); }};
+}
 
 /// Minimise SpinWeights subject to sx = sy = 0, sxz = syz = 0, and what a kind of it adds.
 class Spinning : public Problem {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "error.hpp"
-#include "parse.hpp"
+#include "settings/field_text.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -163,35 +163,41 @@ Verdict MaxTilt::verify(const Moments& s, double length_mm) const {
   return verdict_of(base_, s, length_mm, value(s));
 }
 
-std::unique_ptr<Problem> make_stand(const ProblemSettings& settings, const Body& body) {
-  std::string target = "centre";
-  std::optional<double> margin_mm;
-  std::optional<double> tolerance;
-  for (const auto& [name, text] : settings) {
-    const auto refuse = [&, name = name, text = text](const char* expected) {
-      throw InputError(fmt::format("problem.{} = {} for stand; expected {}", name, text, expected));
-    };
-    if (name == "target") {
-      if (text != "centre" && text != "inside" && text != "max-tilt") refuse("centre, inside or max-tilt");
-      target = text;
-    } else if (name == "margin") {
-      margin_mm = parse<double>(text);
-      if (!margin_mm || *margin_mm < 0) refuse("millimetres >= 0");
-    } else if (name == "base") {
-      tolerance = parse_with_unit(text, "%").value_or(-1) / 100;
-      if (!(*tolerance >= 0 && *tolerance < 1)) refuse("a share of the height such as 0.1%");
-    } else {
-      refuse("target, margin or base");
-    }
-  }
-  if (margin_mm && target != "inside")
-    throw InputError(
-        fmt::format("problem.margin = {} for target {}; expected target = inside", *margin_mm, target));
+namespace {
+
+const field_text::Words<StandTarget> targets = {
+    {"centre", StandTarget::centre}, {"inside", StandTarget::inside}, {"max-tilt", StandTarget::max_tilt}};
+
+}  // namespace
+
+Fields<StandSettings> stand_fields() {
+  using namespace field_text;
+  return {{"target", "", "centre, inside or max-tilt; default centre, of design max-tilt",
+           [](auto& s, auto k, auto v) { s.target = word(targets, k, v); },
+           [](auto& s) { return word_for(targets, s.target); }},
+          {"margin", "mm", "from the edge of the base, of target = inside; default 1 % of the body's length",
+           [](auto& s, auto k, auto v) {
+             s.margin_mm = number_where(k, v, "millimetres >= 0", [](double mm) { return mm >= 0; });
+           },
+           [](auto& s) { return number_text(s.margin_mm); }},
+          {"base", "%", "of the height, within which corners touch the ground; default what it rests on",
+           [](auto& s, auto k, auto v) {
+             s.base = parse_with_unit(v, "%").value_or(-1) / 100;
+             if (!(*s.base >= 0 && *s.base < 1)) refuse(k, v, "a share of the height such as 0.1%");
+           },
+           [](auto& s) { return s.base ? fmt::format("{}%", 100 * *s.base) : std::string(); }}};
+}
+
+std::unique_ptr<Problem> make_stand(const Settings& settings, const Body& body) {
+  const auto& [target, margin_mm, tolerance] = settings_as<StandSettings>(settings);
+  if (margin_mm && target != StandTarget::inside)
+    throw InputError(fmt::format("problem.margin = {} for target {}; expected target = inside", *margin_mm,
+                                 field_text::word_for(targets, target)));
   const Box box = bounding_box(body.local);
   Base base{tolerance ? support_polygon(body, *tolerance) : resting_polygon(body), box.lo[2],
             box.extent()[2]};
   if (base.polygon.corners.empty()) return std::make_unique<Baseless>(body.name);
-  if (target == "max-tilt") {
+  if (target == StandTarget::max_tilt) {
     // From the solid's own tilt, where its density can be had inside; a solid that falls over starts at none,
     // where its problem is still convex.
     const auto [light, heavy] = std::minmax(body.interior_density, body.void_density);
@@ -199,7 +205,7 @@ std::unique_ptr<Problem> make_stand(const ProblemSettings& settings, const Body&
     const double tau = attainable ? std::max(0.0, base.tangent(centre_of_mass(body.solid))) : 0.0;
     return std::make_unique<MaxTilt>(std::move(base), tau);
   }
-  if (target == "centre") return std::make_unique<Stand>(std::move(base), std::nullopt);
+  if (target == StandTarget::centre) return std::make_unique<Stand>(std::move(base), std::nullopt);
   const double most = base.polygon.inside(base.polygon.centroid);
   const double margin = margin_mm ? *margin_mm / body.frame.length : std::min(0.01, most / 2);
   if (margin >= most && margin_mm)

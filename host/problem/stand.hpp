@@ -107,12 +107,20 @@ class Baseless final : public Problem {
   LinearConstraints none_{decltype(LinearConstraints::matrix)(0, 10), {}, {}, {}};
 };
 
-/// settings  target = centre (default) | inside | max-tilt
-///           margin = mm from the edge of the base, for `inside`; default 0.01 L, at most half of what the
-///                    centroid has
-///           base   = share of the height within which vertices touch the ground; default: what it rests on,
-///                    resting_polygon()
-/// @throws InputError  another setting, or no base of that share
-std::unique_ptr<Problem> make_stand(const ProblemSettings& settings, const Body& body);
+enum class StandTarget { centre, inside, max_tilt };
+
+struct StandSettings {
+  StandTarget target = StandTarget::centre;
+  /// From the edge of the base, of `inside`; nothing: 0.01 L, at most half of what the centroid has.
+  std::optional<double> margin_mm;
+  /// Share of the height within which vertices touch the ground; nothing: what it rests on,
+  /// resting_polygon().
+  std::optional<double> base;
+};
+
+[[nodiscard]] Fields<StandSettings> stand_fields();
+/// @param settings  StandSettings
+/// @throws InputError  a margin for another target, or no base of that share
+std::unique_ptr<Problem> make_stand(const Settings& settings, const Body& body);
 
 }  // namespace kreisel::core

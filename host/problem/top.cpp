@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-#include "error.hpp"
-#include "parse.hpp"
+#include "settings/field_text.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -16,12 +15,8 @@ SpinWeights weights_of(const TopOptions& o) {
           .gamma_i = o.gamma_i};
 }
 
-std::optional<Lower> lower_of(const std::string& text) {
-  if (text == "mass") return Lower::mass;
-  if (text == "height") return Lower::height;
-  if (text == "none") return Lower::none;
-  return std::nullopt;
-}
+const field_text::Words<Lower> lowered = {
+    {"mass", Lower::mass}, {"height", Lower::height}, {"none", Lower::none}};
 
 }  // namespace
 
@@ -42,26 +37,20 @@ Verdict Top::verify(const Moments& s, double length_mm) const {
   return verdict;
 }
 
-std::unique_ptr<Problem> make_top(const ProblemSettings& settings, const Body& body) {
-  TopOptions options;
-  for (const auto& [name, text] : settings) {
-    const double value = parse<double>(text).value_or(-1);
-    const auto lower = lower_of(text);
-    if (name == "lower" && lower)
-      options.lower = *lower;
-    else if (name == "form" && (text == "trace" || text == "angle"))
-      options.form = text == "angle" ? SpinForm::angle : SpinForm::trace;
-    else if (name == "gamma_c" && value >= 0 && std::isfinite(value))
-      options.gamma_c = value;
-    else if (name == "gamma_i" && value > 0 && std::isfinite(value))
-      options.gamma_i = value;
-    else
-      throw InputError(
-          fmt::format("problem.{} = {} for top; expected lower = mass, height or none, gamma_c >= 0, "
-                      "gamma_i > 0, or form = trace or angle",
-                      name, text));
-  }
-  return std::make_unique<Top>(options, body.solid);
+Fields<TopOptions> top_fields() {
+  using namespace field_text;
+  return {{"lower", "", "what is lowered beside the inertia ratio: mass (default), height or none",
+           [](auto& o, auto k, auto v) { o.lower = word(lowered, k, v); },
+           [](auto& o) { return word_for(lowered, o.lower); }},
+          {"gamma_c", "", "weight of what is lowered; default 1",
+           [](auto& o, auto k, auto v) { o.gamma_c = not_negative(k, v); },
+           [](auto& o) { return number_text(o.gamma_c); }},
+          inertia_weight_field<TopOptions>(),
+          form_field<TopOptions>()};
+}
+
+std::unique_ptr<Problem> make_top(const Settings& settings, const Body& body) {
+  return std::make_unique<Top>(settings_as<TopOptions>(settings), body.solid);
 }
 
 }  // namespace kreisel::core

@@ -35,10 +35,8 @@ class Top final : public Spinning {
   std::optional<Moments> solid_;
 };
 
-/// settings  lower   = mass (default) | height | none
-///           gamma_c = >= 0, default 1;  gamma_i = > 0, default 1
-///           form    = trace (default) | angle
-/// @throws InputError  another setting, or out of range
-std::unique_ptr<Problem> make_top(const ProblemSettings& settings, const Body& body);
+[[nodiscard]] Fields<TopOptions> top_fields();
+/// @param settings  TopOptions
+std::unique_ptr<Problem> make_top(const Settings& settings, const Body& body);
 
 }  // namespace kreisel::core

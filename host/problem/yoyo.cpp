@@ -27,20 +27,11 @@ void require_within(const Body& body) {
 
 }  // namespace
 
-std::unique_ptr<Problem> make_yoyo(const ProblemSettings& settings, const Body& body) {
-  YoyoOptions options;
-  for (const auto& [name, text] : settings) {
-    const double value = parse<double>(text).value_or(-1);
-    if (name == "form" && (text == "trace" || text == "angle"))
-      options.form = text == "angle" ? SpinForm::angle : SpinForm::trace;
-    else if (name == "gamma_i" && value > 0 && std::isfinite(value))
-      options.gamma_i = value;
-    else
-      throw InputError(fmt::format("problem.{} = {} for yoyo; expected gamma_i > 0, or form = trace or angle",
-                                   name, text));
-  }
+Fields<YoyoOptions> yoyo_fields() { return {inertia_weight_field<YoyoOptions>(), form_field<YoyoOptions>()}; }
+
+std::unique_ptr<Problem> make_yoyo(const Settings& settings, const Body& body) {
   require_within(body);
-  return std::make_unique<Yoyo>(options);
+  return std::make_unique<Yoyo>(settings_as<YoyoOptions>(settings));
 }
 
 }  // namespace kreisel::core

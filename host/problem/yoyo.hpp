@@ -23,8 +23,9 @@ class Yoyo final : public Spinning {
   [[nodiscard]] Convexity convexity() const override { return Convexity::pseudoconvex; }
 };
 
-/// settings  gamma_i = > 0, default 1;  form = trace (default) | angle
-/// @throws InputError  another setting, or out of range; a centre of the axle outside the body's hull
-std::unique_ptr<Problem> make_yoyo(const ProblemSettings& settings, const Body& body);
+[[nodiscard]] Fields<YoyoOptions> yoyo_fields();
+/// @param settings  YoyoOptions
+/// @throws InputError  a centre of the axle outside the body's hull
+std::unique_ptr<Problem> make_yoyo(const Settings& settings, const Body& body);
 
 }  // namespace kreisel::core

@@ -8,7 +8,7 @@
 
 #include "error.hpp"
 #include "nest/search/baseline.hpp"
-#include "session/field_text.hpp"
+#include "settings/field_text.hpp"
 
 namespace kreisel::core {
 namespace {

@@ -10,9 +10,9 @@
 #include <variant>
 #include <vector>
 
-#include "field.hpp"
 #include "nest/search/layers.hpp"
 #include "nest/search/optimise.hpp"
+#include "settings/field.hpp"
 
 namespace kreisel::core {
 

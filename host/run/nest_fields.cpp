@@ -6,7 +6,7 @@
 
 #include "nest/search/baseline.hpp"
 #include "run/nest_config.hpp"
-#include "session/field_text.hpp"
+#include "settings/field_text.hpp"
 #include "words.hpp"
 
 namespace kreisel::core {

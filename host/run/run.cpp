@@ -78,6 +78,16 @@ std::string text(const RunConfig& run) {
   return fmt::format("{} {} {} {}", model_text(run), grid_text(run.grid), run.formulation, solver_of(run));
 }
 
+/// By now it is known whom they are for.
+void require_settings(const Asked& asked, const std::vector<GivenText>& given) {
+  for (const GivenText& field : given)
+    if (is_setting(field.name)) try {
+        require_setting(asked, field.name, field.text);
+      } catch (const InputError& error) {
+        throw InputError(field.where + error.what());
+      }
+}
+
 }  // namespace
 
 const std::vector<RunKind>& run_kinds() {
@@ -140,6 +150,7 @@ Run make_run(const std::vector<GivenText>& given, const RunKind& kind) {
       if (field.where.empty()) throw;
       throw InputError(field.where + error.what());
     }
+  if (const Asked* asked = asked_of(run)) require_settings(*asked, given);
   return run;
 }
 

@@ -8,11 +8,11 @@
 #include <variant>
 #include <vector>
 
-#include "field.hpp"
 #include "run/nest_config.hpp"
 #include "run/simulation.hpp"
 #include "session/config.hpp"
 #include "session/map_run.hpp"
+#include "settings/field.hpp"
 
 namespace kreisel::core {
 

@@ -10,9 +10,9 @@
 
 #include "body/hydrostatics.hpp"
 #include "error.hpp"
-#include "parse.hpp"
 #include "physics/units.hpp"
-#include "problem/problem.hpp"
+#include "problem/float.hpp"
+#include "problem/stand.hpp"
 #include "session/pipeline.hpp"
 
 namespace kreisel::core {
@@ -52,19 +52,11 @@ std::vector<double> scan_speeds(const Subject& subject, double rpm) {
   return scan;
 }
 
-/// A problem's setting as a number; problems refuse what is none.
-double setting(const Asked& config, const std::string& name, const char* unit, double otherwise) {
-  const auto settings = settings_of(config, "problem");
-  const auto found = settings.find(name);
-  return found == settings.end() ? otherwise : parse_with_unit(found->second, unit).value_or(otherwise);
-}
-
 std::vector<Toppling> stand_of(const Subject& subject, const Moments& s) {
   // As the problem has it: by a share of the height, or else what it rests on.
-  const bool by_height = settings_of(subject.config, "problem").contains("base");
+  const auto by_height = settings_as<StandSettings>(problem_settings(subject.config)).base;
   const SupportPolygon base =
-      by_height ? support_polygon(subject.solid, setting(subject.config, "base", "%", 0.1) / 100)
-                : resting_polygon(subject.solid);
+      by_height ? support_polygon(subject.solid, *by_height) : resting_polygon(subject.solid);
   if (base.corners.empty())
     throw InputError(
         fmt::format("{} has no base to stand on as it lies; expected another --up", subject.solid.name));
@@ -81,7 +73,8 @@ RightingArm weaker_side(const Afloat& afloat, double azimuth, const Control& con
 
 std::vector<RightingArm> float_of(const Subject& subject, const Moments& s, const Control& control) {
   const Body& solid = subject.solid;
-  const double volume = s[S1] * solid.density / setting(subject.config, "fluid_density", "", 1);
+  const double volume =
+      s[S1] * solid.density / settings_as<FloatSettings>(problem_settings(subject.config)).fluid_density;
   const double submerged = hydrostatics(solid.local, bounding_box(solid.local).hi[2]).volume;
   if (!(volume < (1 - 1e-6) * submerged)) return {};  // nothing of it stays above the water
   const Afloat afloat{solid.local, centre_of_mass(s), volume};

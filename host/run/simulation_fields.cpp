@@ -5,7 +5,7 @@
 
 #include "error.hpp"
 #include "run/simulation.hpp"
-#include "session/field_text.hpp"
+#include "settings/field_text.hpp"
 
 namespace kreisel::core {
 using namespace field_text;

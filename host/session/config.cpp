@@ -8,15 +8,20 @@
 
 #include "error.hpp"
 #include "formulation/formulation.hpp"
-#include "session/field_text.hpp"
+#include "problem/problem.hpp"
+#include "settings/field_text.hpp"
 #include "solve/solver.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel::core {
 
 const std::vector<std::string_view>& setting_groups() {
-  static const std::vector<std::string_view> all = {"ipopt",   "moment",      "slsqp",
-                                                    "problem", "formulation", "solver"};
+  static const std::vector<std::string_view> all = [] {
+    std::vector<std::string_view> groups = {"problem", "formulation", "solver"};
+    for (const SolverEntry& solver : solvers())
+      if (!solver.settings.fields().empty()) groups.push_back(solver.name);
+    return groups;
+  }();
   return all;
 }
 
@@ -55,12 +60,34 @@ std::string domain_of(const Asked& asked) {
                                asked.domain, asked.formulation, fmt::join(others, ", ")));
 }
 
-std::map<std::string, std::string> settings_of(const Asked& asked, std::string_view group) {
-  std::map<std::string, std::string> result;
+SettingTexts settings_of(const Asked& asked, std::string_view group) {
+  SettingTexts result;
   for (const auto& [key, value] : asked.settings)
     if (key.starts_with(group) && key.size() > group.size() && key[group.size()] == '.')
       result[key.substr(group.size() + 1)] = value;
   return result;
+}
+
+Settings problem_settings(const Asked& asked) {
+  return find_problem(asked.problem).read(settings_of(asked, "problem"));
+}
+
+void require_setting(const Asked& asked, std::string_view key, const std::string& value) {
+  const std::size_t dot = key.find('.');
+  const std::string group(key.substr(0, dot));
+  const SettingTexts one = {{std::string(key.substr(dot + 1)), value}};
+  if (group == "problem")
+    (void)find_problem(asked.problem).read(one);
+  else if (group == "formulation")
+    (void)find_formulation(asked.formulation).settings.read(one, group, asked.formulation);
+  else if (group == "solver")
+    (void)parse_solver_options(one);
+  else
+    (void)solvers().find(group).read(one);
+}
+
+void require_settings(const Asked& asked) {
+  for (const auto& [key, value] : asked.settings) require_setting(asked, key, value);
 }
 
 std::map<std::string, std::string> describe(const RunConfig& config) {

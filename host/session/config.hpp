@@ -10,7 +10,8 @@
 
 #include "body/body.hpp"
 #include "domain/columns.hpp"
-#include "field.hpp"
+#include "settings/field.hpp"
+#include "settings/settings.hpp"
 
 namespace kreisel::core {
 
@@ -57,7 +58,7 @@ struct Asked {
   std::string device;             ///< selector, see device.hpp
   bool single_precision = false;  ///< forces the kernels to compensated single precision
   /// `--set GROUP.NAME=VALUE`, checked by whom they are for; groups: setting_groups()
-  std::map<std::string, std::string> settings;
+  SettingTexts settings;
 };
 
 /// A solve, and the part made of it. Defaults are those of `bench --formulation rayrep`.
@@ -78,7 +79,7 @@ struct RunConfig : Asked {
 /// What becomes of the optimum: rounding.
 [[nodiscard]] const Fields<RunConfig>& rounding_fields();
 
-/// ipopt, moment, slsqp, problem, formulation, solver.
+/// problem, formulation, solver, and the solvers that have settings of their own.
 [[nodiscard]] const std::vector<std::string_view>& setting_groups();
 /// Whether it is GROUP.NAME with one of these groups.
 [[nodiscard]] bool is_setting(std::string_view key);
@@ -99,7 +100,15 @@ void set_field(RunConfig& config, std::string_view key, std::string_view value);
 [[nodiscard]] std::string domain_of(const Asked& asked);
 
 /// The settings of one group, without its prefix.
-[[nodiscard]] std::map<std::string, std::string> settings_of(const Asked& asked, std::string_view group);
+[[nodiscard]] SettingTexts settings_of(const Asked& asked, std::string_view group);
+/// Those of the problem, as it reads them. @throws InputError  an unknown setting, or a value that does not
+/// fit
+[[nodiscard]] Settings problem_settings(const Asked& asked);
+
+/// Looks at a setting GROUP.NAME of whom it is for, or at all that are there, ahead of any work.
+/// @throws InputError  an unknown setting, or a value that does not fit
+void require_setting(const Asked& asked, std::string_view key, const std::string& value);
+void require_settings(const Asked& asked);
 
 /// Every field that defines the result (not repeat, budget and limits) as sorted key -> text; the identity of
 /// a run.

@@ -2,13 +2,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <deque>
 
 #include "error.hpp"
 #include "formulation/formulation.hpp"
 #include "parse.hpp"
 #include "problem/problem.hpp"
 #include "session/config.hpp"
-#include "session/field_text.hpp"
+#include "settings/field_text.hpp"
 #include "solve/solver.hpp"
 
 namespace kreisel::core {
@@ -44,8 +45,6 @@ GridSpec grid_of_level(S key, S value) {
   return spec;
 }
 
-std::string number_text(double v) { return fmt::format("{}", v); }
-std::string number_text(const std::optional<double>& v) { return v ? number_text(*v) : ""; }
 std::string point_text(const std::optional<Vec3>& v) { return v ? text_of(*v) : ""; }
 
 FreePose& free_pose_of(A asked) { return asked.free ? *asked.free : asked.free.emplace(); }
@@ -247,31 +246,35 @@ Fields<Asked> device_fields() {
                   [](ConstA a) { return std::string(a.single_precision ? "single" : "automatic"); }}});
 }
 
-/// A problem's setting that has an option of its own. Its text is said among the settings.
-Field<Asked> setting(S name, S help) {
-  return {name,
-          "",
-          help,
-          [](A a, S k, S v) { a.settings[std::string(k)] = v; },
-          [name](ConstA a) {
-            const auto found = a.settings.find(std::string(name));
-            return found == a.settings.end() ? "" : found->second;
-          },
-          Identity::changed};
-}
-
+/// Each setting of a problem has an option of its own. Its text is said among the settings.
 Fields<Asked> setting_fields() {
-  return grouped<Asked>(
-      "the problem's settings",
-      {setting("problem.target", "stand: centre, inside or max-tilt; default centre, of design max-tilt"),
-       setting("problem.lower", "top: mass, height or none, beside the inertia ratio; default mass"),
-       setting("problem.draft", "float: 60% of the height, mm, grams (40g), solid, or auto; default 60%"),
-       setting("problem.fluid_density", "float: g/cm^3; default 1"),
-       setting(
-           "problem.point",
-           "balance: where the centre of mass is to be, x,y,z in mm; hang: from where, default the highest "
-           "point"),
-       setting("problem.line", "balance: direction of a line through that point; hang: which way is up")});
+  struct Words {
+    std::string name, unit, help;
+    std::string of, last;  ///< the problems that say the last of it alike, and what that is
+  };
+  static std::deque<Words> kept;  // fields only look at them
+  for (const ProblemEntry& problem : problems())
+    for (const Field<Settings>& setting : problem.settings.fields()) {
+      const std::string name = fmt::format("problem.{}", setting.name);
+      auto words = std::ranges::find(kept, name, &Words::name);
+      if (words == kept.end()) words = kept.insert(kept.end(), {name, std::string(setting.unit), "", "", ""});
+      if (words->last == setting.help) {
+        words->of += ", " + problem.name;
+      } else {
+        words->help += words->of.empty() ? "" : fmt::format("{}: {}; ", words->of, words->last);
+        words->of = problem.name, words->last = setting.help;
+      }
+    }
+  for (Words& words : kept) words.help += fmt::format("{}: {}", words.of, words.last);
+  Fields<Asked> fields;
+  for (const Words& words : kept)
+    fields.push_back({words.name, words.unit, words.help,
+                      [](A a, S k, S v) { a.settings[std::string(k)] = v; },
+                      [name = words.name](ConstA a) {
+                        const auto found = a.settings.find(name);
+                        return found == a.settings.end() ? "" : found->second;
+                      }});
+  return grouped("the problem's settings", fields);
 }
 
 /// How often, how long, how near, and whether a part is made.

@@ -59,7 +59,7 @@ class Search {
         stages_(stages),
         control_(control),
         sweep_(stages, few, control) {
-    const ProblemSettings settings = settings_of(config, "problem");
+    const Settings settings = problem_settings(config);
     choices_ = asked_.choices ? asked_.choices(settings, *stages.body) : std::vector{settings};
   }
 
@@ -99,14 +99,14 @@ class Search {
     found_.tried.push_back(std::move(count));
   }
 
-  void try_pose(const Vec3& direction, const std::vector<ProblemSettings>& choices, Through through,
+  void try_pose(const Vec3& direction, const std::vector<Settings>& choices, Through through,
                 PosesTried& count, std::vector<Tried>& all) {
     const Vec3 contact = !config_.free    ? stages_.pose->contact
                          : asked_.centred ? stages_.body->frame.to_model(centre_of_mass(stages_.body->solid))
                                           : contact_of(*stages_.body, direction, through);
     sweep_.turn(direction, contact);
     bool good = false, possible = false, decided = true, never = true;
-    for (const ProblemSettings& settings : choices) {
+    for (const Settings& settings : choices) {
       control_.stop_if_asked();
       const auto answer = sweep_.answer(settings);
       if (!answer) throw Interrupted();
@@ -216,7 +216,7 @@ class Search {
   const Stages& stages_;
   const Control& control_;
   Sweep sweep_;
-  std::vector<ProblemSettings> choices_;
+  std::vector<Settings> choices_;
   FoundPoses found_;
 };
 
@@ -260,7 +260,9 @@ RunConfig in_usual_pose(RunConfig config) {
 RunConfig posed(const RunConfig& config, const PoseCandidate& candidate) {
   const ProblemEntry& asked = find_problem(config.problem);
   RunConfig question = in_usual_pose(config);
-  for (const auto& [name, value] : candidate.settings) question.settings["problem." + name] = value;
+  // What was given stays as it was written; what was left open is erased by now.
+  for (const auto& [name, value] : asked.settings.changed(candidate.settings))
+    question.settings.try_emplace("problem." + name, value);
   question.body.flatten = candidate.flatten;
   if (!config.free) return question;
   (asked.upright ? question.body.up : question.body.axis) = candidate.direction;

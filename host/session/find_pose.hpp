@@ -14,7 +14,7 @@ struct PoseCandidate {
   Vec3 direction;               ///< of length 1, model coordinates: up or axis
   std::optional<Vec3> contact;  ///< of an axis, mm
   Through through = Through::lowest;
-  ProblemSettings settings;       ///< of the problem
+  Settings settings;              ///< of the problem
   std::optional<double> flatten;  ///< mm
   std::optional<double> stem;     ///< radius of one that nobody asked for, mm
   double loss = 0;                ///< Problem::pose_loss() on the coarse domain of the search

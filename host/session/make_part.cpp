@@ -65,25 +65,25 @@ Verified write_and_verify(const RunResult& r, const std::vector<MaterialPart>& p
 }
 
 /// What is inside the body, and the solids that are written.
-struct Made {
+struct MadePart {
   Inside inside;
   std::vector<MaterialPart> parts;
 };
 
-Made made_of(const Body& body, Inside inside, const PartOptions& options) {
+MadePart made_of(const Body& body, Inside inside, const PartOptions& options) {
   std::vector<MaterialPart> parts = parts_of(body, inside);
   if (options.finish) parts = options.finish(parts);
   return {std::move(inside), std::move(parts)};
 }
 
 /// Rounds the optimum to whole voxels.
-Made round_to_voxels(SolvedRun& run, bool fit, const PartOptions& options) {
+MadePart round_to_voxels(SolvedRun& run, bool fit, const PartOptions& options) {
   const Task task = run.task();
   RunResult& r = run.result;
   Rounded rounded = task.formulation.round(r.outcome.x);
   const std::size_t moved = fit ? meet_constraints(rounded.solid, task.problem, task.mass) : 0;
   r.rounding = cost_of(rounded, moved, task, run.body());
-  Made made = made_of(run.body(), inside_of(run.body(), rounded.solid), options);
+  MadePart made = made_of(run.body(), inside_of(run.body(), rounded.solid), options);
   if (options.finish) r.rounding.moments = moments_of(run.body(), made.parts);
   return made;
 }
@@ -91,7 +91,7 @@ Made round_to_voxels(SolvedRun& run, bool fit, const PartOptions& options) {
 /// Meshes what the optimal quadric leaves. A mesh and a sum over rays sample the same shape differently; to
 /// fit, what they differ by is added to what is fixed and the problem solved again, until the mesh itself
 /// meets the constraints.
-Made mesh_inside(SolvedRun& run, bool fit, const PartOptions& options) {
+MadePart mesh_inside(SolvedRun& run, bool fit, const PartOptions& options) {
   const Body& body = run.body();
   const Problem& problem = run.problem();
   RunResult& r = run.result;
@@ -105,7 +105,7 @@ Made mesh_inside(SolvedRun& run, bool fit, const PartOptions& options) {
   for (int corrections = 0;; ++corrections) {
     Inside inside = inside_of(body, mesher, Moments(x.data()));
     if (least_void > 0) inside.voids = without_small_shells(inside.voids, least_void);
-    Made made = made_of(body, std::move(inside), options);
+    MadePart made = made_of(body, std::move(inside), options);
     const Moments whole = options.finish ? moments_of(body, made.parts) : moments_of(body, made.inside);
     r.rounding = {};
     r.rounding.moments = whole;
@@ -134,7 +134,7 @@ PartMeshes make_part(SolvedRun& run, const std::string& mesh_file, const PartOpt
   const Body& body = run.body();
   // What cannot be met at all need not be fitted.
   const bool fit = r.config.rounding == Rounding::fitted && r.outcome.termination != Termination::infeasible;
-  const Made made = run.exact() ? mesh_inside(run, fit, options) : round_to_voxels(run, fit, options);
+  const MadePart made = run.exact() ? mesh_inside(run, fit, options) : round_to_voxels(run, fit, options);
   PartMeshes part{body.mesh, to_model(body.frame, made.inside.voids), made.parts};
   r.voids = find_voids({part.outer, part.cavity}, cut_directions(body));
   r.verified = write_and_verify(r, made.parts, body, run.problem(), mesh_file);

@@ -7,7 +7,8 @@
 #include <array>
 
 #include "error.hpp"
-#include "session/field_text.hpp"
+#include "problem/problem.hpp"
+#include "settings/field_text.hpp"
 #include "solve/solver.hpp"
 
 namespace kreisel::core {
@@ -18,15 +19,22 @@ using M = MapRun&;
 using ConstM = const MapRun&;
 using S = std::string_view;
 
+/// Whether a problem that can be mapped has this setting, and no case of the map says it.
+bool can_be_mapped_with(S setting) {
+  return std::ranges::any_of(problems(), [&](const ProblemEntry& problem) {
+    return problem.map && problem.map->setting != setting && find_field(problem.settings.fields(), setting);
+  });
+}
+
 /// Of what is asked, all but what is for problems that have no map, and what each case of a map says anew.
 Fields<MapRun> asked_of_map() {
-  constexpr std::array<S, 12> of_a_part = {"axis-through",  "stem",          "tip",
-                                           "flatten",       "axle",          "slot",
-                                           "axle-depth",    "problem.draft", "problem.target",
-                                           "problem.lower", "problem.point", "problem.line"};
+  constexpr std::array<S, 7> of_a_part = {"axis-through", "stem", "tip",       "flatten",
+                                          "axle",         "slot", "axle-depth"};
   Fields<MapRun> fields;
   for (const Field<MapRun>& field : joined<MapRun>(asked_fields()))
-    if (std::ranges::find(of_a_part, field.name) == of_a_part.end()) fields.push_back(field);
+    if (std::ranges::find(of_a_part, field.name) == of_a_part.end() &&
+        (!is_setting(field.name) || can_be_mapped_with(field.name.substr(field.name.find('.') + 1))))
+      fields.push_back(field);
   for (Field<MapRun>& field : fields) {
     if (field.name == "domain") field.identity = Identity::none;  // said as solves say it: describe()
     if (field.name == "formulation")

@@ -154,7 +154,12 @@ OrientationMap map_orientations(Session& session, const MapSpec& spec, const Con
   const std::size_t n = spec.axes.size(), step = even_step(n);
   std::vector<std::vector<MapAnswer>> answers(n);  // empty: not done
   std::vector<Vec3> contacts(n);
-  ProblemSettings settings = settings_of(map.config, "problem");
+  std::vector<Settings> settings;  // of each case
+  for (const std::string& at_case : map.cases) {
+    SettingTexts texts = settings_of(map.config, "problem");
+    if (!at_case.empty()) texts[cases.setting] = at_case;
+    settings.push_back(asked.read(texts));
+  }
   Stopwatch told;
   for (std::size_t k = 0; k < n && !control.stopped(); ++k) {
     if (k == 0 || told.seconds() > 0.1) {
@@ -166,9 +171,8 @@ OrientationMap map_orientations(Session& session, const MapSpec& spec, const Con
                                 : contact_of(body, spec.axes[i], spec.through);
     sweep.turn(spec.axes[i], contacts[i]);
     std::vector<MapAnswer> here;
-    for (const std::string& at_case : map.cases) {
-      if (!at_case.empty()) settings[cases.setting] = at_case;
-      std::optional<MapAnswer> answer = sweep.answer(settings);
+    for (const Settings& at_case : settings) {
+      std::optional<MapAnswer> answer = sweep.answer(at_case);
       if (!answer) break;
       here.push_back(std::move(*answer));
     }

@@ -29,7 +29,7 @@ std::string options_of(const RunConfig& config, const PoseCandidate& candidate) 
   }
   if (question.body.stem.radius && !config.body.stem.radius)
     words += fmt::format(" --stem {:.3g}", *question.body.stem.radius);
-  for (const auto& [name, value] : candidate.settings) {
+  for (const auto& [name, value] : find_problem(config.problem).settings.changed(candidate.settings)) {
     const auto before = config.settings.find("problem." + name);
     if (before == config.settings.end() || before->second != value)
       words += fmt::format(" --{} {}", name, value);
@@ -71,11 +71,7 @@ std::string other_poses(Session& session, const RunConfig& config, const Vec3& a
     const std::shared_ptr<const Body> body = session.stages(open, control).pose;
     // In the same pose, with what else may be chosen.
     RunConfig here = open;
-    for (const std::string& name : entry.settings) {
-      here.settings["problem." + name] = "auto";
-      if (entry.choices(settings_of(here, "problem"), *body).size() > 1) break;
-      here.settings.erase("problem." + name);
-    }
+    if (!entry.chosen.empty()) here.settings["problem." + entry.chosen] = "auto";
     const FoundPoses found = find_poses(session, here, control);
     if (!found.good.empty()) help.push_back(options_of(open, found.good.front()));
   }

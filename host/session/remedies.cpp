@@ -71,7 +71,7 @@ class Trials {
   }
   [[nodiscard]] bool fits_with_wall(double wall_mm) const {
     const auto exact = domain(wall_mm);
-    return exact && feasible(*make_quadric(rays_of(*exact), {}, device_), hollowed(body_, exact->interior));
+    return exact && feasible(*make_quadric(rays_of(*exact), device_), hollowed(body_, exact->interior));
   }
 
  private:
@@ -102,7 +102,7 @@ std::string what_would_help(const RunConfig& config, const Body& body, const Pro
 
   const auto exact = trials.domain(wall);
   if (!exact) return help.empty() ? "there is no interior" : help.front();
-  const std::unique_ptr<Formulation> quadric = make_quadric(rays_of(*exact), {}, device);
+  const std::unique_ptr<Formulation> quadric = make_quadric(rays_of(*exact), device);
   const auto fits_with = [&](double Body::*density, double value) {
     Body other = body;
     other.*density = value;

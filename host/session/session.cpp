@@ -20,7 +20,7 @@ void lay_rays_across_the_cut(Body& body, const Body& made, const Asked& question
   if (given.axis || given.up || given.shaped_along_axis()) return;
   const ProblemEntry& asked = find_problem(question.problem);
   if (!asked.rays) return;
-  if (const auto axis = asked.rays(settings_of(question, "problem"), body))
+  if (const auto axis = asked.rays(problem_settings(question), body))
     reframe(body, made, *axis, given.contact.value_or(lowest_point(made.mesh, *axis)));
 }
 
@@ -85,7 +85,7 @@ std::shared_ptr<const Body> Session::body_of(const Asked& question, const BodySp
 
 std::shared_ptr<const Body> Session::pose_of(const Asked& question, const BodySpec& spec,
                                              const std::shared_ptr<const Body>& body) {
-  Settings laid_by;
+  SettingTexts laid_by;
   if (find_problem(question.problem).rays)
     laid_by = settings_of(question, "problem");
   else if (spec == made_as_)
@@ -136,9 +136,8 @@ std::shared_ptr<const Session::Laid> Session::domain_of(const Asked& question,
 std::shared_ptr<const Problem> Session::problem_of(const Asked& question,
                                                    const std::shared_ptr<const Body>& pose,
                                                    const std::shared_ptr<const Body>& rays) {
-  const Settings settings = settings_of(question, "problem");
-  return stage("problem", problem_, {pose, rays, question.problem, settings}, [&] {
-    std::unique_ptr<Problem> problem = find_problem(question.problem).make(settings, *pose);
+  return stage("problem", problem_, {pose, rays, question.problem, settings_of(question, "problem")}, [&] {
+    std::unique_ptr<Problem> problem = find_problem(question.problem).make(problem_settings(question), *pose);
     if (!same_pose(*pose, *rays)) {
       const Eigen::Matrix3d R = pose->frame.rotation * rays->frame.rotation.transpose();
       problem = std::make_unique<Turned>(std::move(problem), R, pose->frame.to_body(rays->frame.origin));
@@ -150,19 +149,18 @@ std::shared_ptr<const Problem> Session::problem_of(const Asked& question,
 std::shared_ptr<Formulation> Session::formulation_of(const Asked& question, const Laid& laid,
                                                      const Problem& problem,
                                                      const std::shared_ptr<device::Device>& device) {
-  const Settings settings = settings_of(question, "formulation");
+  const SettingTexts settings = settings_of(question, "formulation");
   const RunDomain& domain = *laid.domain;
   const Traits traits = domain.exact ? Traits{} : problem.traits();
-  return stage(
-      "formulation", formulation_,
-      {laid.domain, domain.exact ? "quadric" : question.formulation, settings, traits.filling}, [&] {
-        std::shared_ptr<Formulation> made =
-            domain.exact
-                ? make_quadric(domain.rays(), settings, *device)
-                : find_formulation(question.formulation).make(*domain.columns, traits, settings, *device);
-        made->warm_up();
-        return made;
-      });
+  return stage("formulation", formulation_,
+               {laid.domain, domain.exact ? "quadric" : question.formulation, settings, traits.filling}, [&] {
+                 std::shared_ptr<Formulation> made =
+                     domain.exact
+                         ? make_quadric(domain.rays(), *device)
+                         : make_formulation(question.formulation, *domain.columns, traits, settings, *device);
+                 made->warm_up();
+                 return made;
+               });
 }
 
 Stages Session::stages(const Asked& question, const Control& control, Along rays) {

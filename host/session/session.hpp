@@ -73,7 +73,6 @@ class Session {
   [[nodiscard]] const Provenance& provenance();
 
  private:
-  using Settings = std::map<std::string, std::string>;
   struct Laid {
     std::shared_ptr<const RunDomain> domain;
     std::shared_ptr<const Body> body;  ///< in whose frame it lies
@@ -100,7 +99,7 @@ class Session {
   struct PoseKey {
     std::shared_ptr<const Body> body;
     BodySpec spec;
-    Settings laid_by;  ///< of a problem that says how its rays are laid; else empty
+    SettingTexts laid_by;  ///< of a problem that says how its rays are laid; else empty
     bool operator==(const PoseKey&) const = default;
   };
   struct DomainKey {
@@ -120,14 +119,14 @@ class Session {
   struct FormulationKey {
     std::shared_ptr<const RunDomain> domain;
     std::string name;
-    Settings settings;
+    SettingTexts settings;
     Filling filling = {};
     bool operator==(const FormulationKey&) const = default;
   };
   struct ProblemKey {
     std::shared_ptr<const Body> pose, rays;
     std::string name;
-    Settings settings;
+    SettingTexts settings;
     bool operator==(const ProblemKey&) const = default;
   };
 

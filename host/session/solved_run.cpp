@@ -49,7 +49,7 @@ const SolverEntry& checked_solver(const RunConfig& config) {
 
 SolverOptions options_of(const RunConfig& config, const SolverEntry& solver) {
   SolverOptions options = parse_solver_options(settings_of(config, "solver"));
-  options.own = settings_of(config, solver.name);
+  options.own = solver.read(settings_of(config, solver.name));
   return options;
 }
 

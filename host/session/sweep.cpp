@@ -14,8 +14,9 @@ SolverOptions options_of_sweep(const Asked& config, const SolverEntry& solver) {
   SolverOptions options = parse_solver_options(settings_of(config, "solver"));
   // A hundred-thousandth of what a verdict asks for. The last digits would cost most of the time, near
   // directions across the rays above all, where a plane turns whole rays on and off.
-  options.own = {{"tolerance", "1e-8"}};
-  for (const auto& [name, value] : settings_of(config, solver.name)) options.own[name] = value;
+  SettingTexts own = settings_of(config, solver.name);
+  own.try_emplace("tolerance", "1e-8");
+  options.own = solver.read(own);
   return options;
 }
 
@@ -35,7 +36,7 @@ Sweep::Sweep(const Stages& stages, const Asked& config, const Control& control)
 
 void Sweep::turn(const Vec3& axis, const Vec3& contact) { reframe(turned_, *stages_.body, axis, contact); }
 
-std::optional<MapAnswer> Sweep::answer(const ProblemSettings& settings) const {
+std::optional<MapAnswer> Sweep::answer(const Settings& settings) const {
   const Body& laid = *stages_.body;
   MapAnswer result;
   result.objective = result.loss = result.miss = nan;

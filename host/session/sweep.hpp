@@ -32,7 +32,7 @@ class Sweep {
   [[nodiscard]] const Body& body() const { return turned_; }
 
   /// In the pose of the last turn(). @return  nothing when the user stopped it  @throws InputError  as make()
-  [[nodiscard]] std::optional<MapAnswer> answer(const ProblemSettings& settings) const;
+  [[nodiscard]] std::optional<MapAnswer> answer(const Settings& settings) const;
 
  private:
   const Stages& stages_;

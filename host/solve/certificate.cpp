@@ -89,7 +89,7 @@ std::string_view to_string(Certificate::Kind kind) {
 Certificate certify(const Problem& problem, const Rays& domain, const MassModel& mass, device::Device& device,
                     const CertifyOptions& options) {
   const Stopwatch watch;
-  const std::unique_ptr<Formulation> quadric = make_quadric(domain, {}, device);
+  const std::unique_ptr<Formulation> quadric = make_quadric(domain, device);
   const SafeSupport support(domain, mass);
   const Task task{problem, *quadric, mass, device, options.stop};
   const Outcome outcome = solve(find_solver("moment", "quadric"), task, {});

@@ -144,8 +144,8 @@ Outcome solve(const Task& task, const SolverOptions& options, std::vector<std::u
   outcome.kernel_seconds = task.device.kernel_seconds();
   outcome.termination = termination_of(status);
   outcome.message = message_of(status);
-  if (const auto asked = options.own.find("linear_solver");
-      asked != options.own.end() && asked->second == "arrow" && !arrow)
+  const auto own = settings_as<IpoptSettings>(options.own);
+  if (const auto asked = own.find("linear_solver"); asked != own.end() && asked->second == "arrow" && !arrow)
     outcome.message += ", by MUMPS: the systems are no arrow";
   outcome.settings = settings;
   outcome.evaluations = nlp->evaluations();

@@ -9,18 +9,16 @@
 
 #include "error.hpp"
 #include "memory.hpp"
-#include "nearest.hpp"
 #include "solve/arrow_in_ipopt.hpp"
+#include "solve/ipopt.hpp"
 
 namespace kreisel::core {
 namespace {
 
-using Settings = IpoptSettings;
-
 /// Ipopt's options before the user's own, and the reach of natural_scale(); found by measuring
 /// (docs/rayrep.md).
 struct Defaults {
-  Settings settings;
+  IpoptSettings settings;
   double reach;
 };
 
@@ -38,18 +36,18 @@ Defaults defaults_for(bool linear, bool exact) {
 }
 
 /// Ours of MUMPS, where it is the one that solves.
-Settings defaults_of_mumps(const Task& task) {
+IpoptSettings defaults_of_mumps(const Task& task) {
   // Its own ordering wants tens of gigabytes for the arrow-shaped systems of the voxel formulation;
   // approximate minimum degree (0) takes the diagonal first. A regulariser ties neighbours: no longer an
   // arrow alone, but one whose dense rows are to come last (6).
-  Settings settings = {{"mumps_pivot_order", task.formulation.regulariser() ? "6" : "0"}};
+  IpoptSettings settings = {{"mumps_pivot_order", task.formulation.regulariser() ? "6" : "0"}};
   // MUMPS asks for eleven times what it expects to need. That costs nothing but address space.
   if (available_memory().limited) settings.insert({"mumps_mem_percent", "50"});
   return settings;
 }
 
 /// The linear solver of a solve: what was asked, or else our own where it fits.
-std::string linear_solver_for(const Settings& given, Ipopt::TNLP& nlp, bool exact) {
+std::string linear_solver_for(const IpoptSettings& given, Ipopt::TNLP& nlp, bool exact) {
   const auto asked = given.find("linear_solver");
   if (asked != given.end() && asked->second != "arrow") return asked->second;
   const auto of_mumps =
@@ -62,11 +60,11 @@ std::string linear_solver_for(const Settings& given, Ipopt::TNLP& nlp, bool exac
 }
 
 /// For a solve that goes on from another: its own start is not to be pushed off the central path.
-const Settings& warm_settings() {
-  static const Settings settings = {{"warm_start_init_point", "yes"},
-                                    {"warm_start_bound_push", "1e-9"},
-                                    {"warm_start_bound_frac", "1e-9"},
-                                    {"warm_start_mult_bound_push", "1e-12"}};
+const IpoptSettings& warm_settings() {
+  static const IpoptSettings settings = {{"warm_start_init_point", "yes"},
+                                         {"warm_start_bound_push", "1e-9"},
+                                         {"warm_start_bound_frac", "1e-9"},
+                                         {"warm_start_mult_bound_push", "1e-12"}};
   return settings;
 }
 
@@ -106,33 +104,49 @@ bool parse_whole(const std::string& text, T& value) {
 }
 
 /// What Ipopt would say nothing of, or only that it refuses its options.
-/// @throws InputError  a linear solver that is not installed, an output that cannot be written, an options
-/// file
-void require_usable(const Settings& given) {
-  const auto value = [&](const char* name) {
-    const auto found = given.find(name);
-    return found == given.end() ? std::string() : found->second;
-  };
-  if (const std::string solver = value("linear_solver");
-      !solver.empty() && solver != "arrow" && solver != "mumps")
-    throw InputError(
-        fmt::format("ipopt.linear_solver = {} is not installed; expected arrow or mumps", solver));
-  if (const std::string file = value("output_file"); !file.empty() && !std::ofstream(file, std::ios::app))
+/// @throws InputError  an output that cannot be written
+void require_usable(const IpoptSettings& given) {
+  const auto file = given.find("output_file");
+  if (file != given.end() && !file->second.empty() && !std::ofstream(file->second, std::ios::app))
     throw InputError(fmt::format(
-        "ipopt.output_file = {} cannot be written; expected a file in a folder that is there", file));
-  if (const std::string file = value("option_file_name"); !file.empty())
+        "ipopt.output_file = {} cannot be written; expected a file in a folder that is there", file->second));
+}
+
+/// @throws InputError  a value that the option does not take, or what is not there for it to take
+void require_fit(const Ipopt::RegisteredOption& option, std::string_view key, std::string_view value) {
+  const std::string text(value);
+  int integer = 0;
+  double number = 0;
+  bool good = false;
+  switch (option.Type()) {
+    case Ipopt::OT_Integer:
+      good = parse_whole(text, integer) && option.IsValidIntegerSetting(integer);
+      break;
+    case Ipopt::OT_Number:
+      good = parse_whole(text, number) && option.IsValidNumberSetting(number);
+      break;
+    default:
+      good = option.IsValidStringSetting(text);
+  }
+  if (option.Name() == "linear_solver" && text != "arrow" && text != "mumps")
+    throw InputError(fmt::format("{} = {} is not installed; expected arrow or mumps", key, text));
+  if (option.Name() == "option_file_name" && !text.empty())
     throw InputError(
-        fmt::format("ipopt.option_file_name = {} is not read; expected each option as ipopt.NAME, "
-                    "so that the record has them",
-                    file));
+        fmt::format("{} = {} is not read; expected each option as ipopt.NAME, so that the "
+                    "record has them",
+                    key, text));
+  if (!good && text != "arrow")
+    throw InputError(
+        fmt::format("{} = {} is not a value Ipopt takes: {}", key, text, option.ShortDescription()));
 }
 
 }  // namespace
 
 bool wants_exact_hessian(const Task& task, const SolverOptions& options) {
-  const auto asked = options.own.find("hessian_approximation");
+  const auto own = settings_as<IpoptSettings>(options.own);
+  const auto asked = own.find("hessian_approximation");
   const bool moves = task.formulation.moving() > 0;
-  if (asked == options.own.end()) return !moves;
+  if (asked == own.end()) return !moves;
   if (moves && asked->second == "exact")
     throw InputError(
         fmt::format("ipopt.hessian_approximation = exact with formulation '{}', which moves the body; "
@@ -148,14 +162,15 @@ bool goes_on(const SolverOptions& options) {
 IpoptSettings ipopt_settings(const Task& task, const SolverOptions& options, Nlp& nlp,
                              const std::vector<double>& start) {
   const bool exact = wants_exact_hessian(task, options), linear = task.formulation.moments_are_linear();
-  require_usable(options.own);
-  Settings settings = options.own;  // what the user gave stays, below
+  const auto own = settings_as<IpoptSettings>(options.own);
+  require_usable(own);
+  IpoptSettings settings = own;  // what the user gave stays, below
   settings.insert({"hessian_approximation", exact ? "exact" : "limited-memory"});
   if (options.untouched) {
     settings.insert({{"print_level", "0"}, {"sb", "yes"}, {"linear_solver", "mumps"}});
     return settings;
   }
-  const std::string linear_solver = linear_solver_for(options.own, nlp, exact);
+  const std::string linear_solver = linear_solver_for(own, nlp, exact);
   settings["linear_solver"] = linear_solver;
   if (linear_solver == "mumps") settings.merge(defaults_of_mumps(task));
   // It looks at its residuals and refines by itself, so that Ipopt need not.
@@ -170,32 +185,39 @@ IpoptSettings ipopt_settings(const Task& task, const SolverOptions& options, Nlp
 }
 
 void set_ipopt_option(Ipopt::IpoptApplication& app, const std::string& name, const std::string& value) {
-  const auto option = app.RegOptions()->GetOption(name);
-  if (!IsValid(option)) {
-    std::vector<std::string> names;
-    for (const auto& [known, entry] : app.RegOptions()->RegisteredOptionsList()) names.push_back(known);
-    const std::string meant = nearest(name, names);
-    throw InputError(fmt::format("ipopt.{} = {}; Ipopt has no option of that name{}", name, value,
-                                 meant.empty() ? "" : fmt::format(" (did you mean {}?)", meant)));
-  }
-  bool good = false;
   int integer = 0;
   double number = 0;
-  switch (option->Type()) {
+  bool good = false;
+  switch (app.RegOptions()->GetOption(name)->Type()) {
     case Ipopt::OT_Integer:
-      good = parse_whole(value, integer) && option->IsValidIntegerSetting(integer) &&
-             app.Options()->SetIntegerValue(name, integer);
+      good = parse_whole(value, integer) && app.Options()->SetIntegerValue(name, integer);
       break;
     case Ipopt::OT_Number:
-      good = parse_whole(value, number) && option->IsValidNumberSetting(number) &&
-             app.Options()->SetNumericValue(name, number);
+      good = parse_whole(value, number) && app.Options()->SetNumericValue(name, number);
       break;
     default:
-      good = option->IsValidStringSetting(value) && app.Options()->SetStringValue(name, value);
+      good = app.Options()->SetStringValue(name, value);
   }
-  if (!good)
-    throw InputError(
-        fmt::format("ipopt.{} = {} is not a value Ipopt takes: {}", name, value, option->ShortDescription()));
+  if (!good) throw InputError(fmt::format("Ipopt refuses its option {} = {}", name, value));
+}
+
+SettingTable ipopt_options() {
+  // They stay as long as the application, and the names in the table as long as they.
+  static const Ipopt::SmartPtr<Ipopt::IpoptApplication> app = new Ipopt::IpoptApplication(false);
+  Fields<IpoptSettings> fields;
+  for (const auto& [name, entry] : app->RegOptions()->RegisteredOptionsList()) {
+    const Ipopt::RegisteredOption* option = GetRawPtr(entry);
+    fields.push_back({name, "", option->ShortDescription(),
+                      [option](auto& settings, auto key, auto value) {
+                        require_fit(*option, key, value);
+                        settings[option->Name()] = value;
+                      },
+                      [option](auto& settings) {
+                        const auto found = settings.find(option->Name());
+                        return found == settings.end() ? std::string() : found->second;
+                      }});
+  }
+  return fields;
 }
 
 }  // namespace kreisel::core

@@ -11,7 +11,10 @@
 
 namespace kreisel::core {
 
-using IpoptSettings = std::map<std::string, std::string>;
+/// Options by name, of which Ipopt knows the type.
+struct IpoptSettings : SettingTexts {
+  using SettingTexts::SettingTexts;
+};
 
 /// Whether Ipopt is asked for its lifted form with exact Hessians rather than for L-BFGS.
 [[nodiscard]] bool wants_exact_hessian(const Task& task, const SolverOptions& options);
@@ -26,11 +29,11 @@ using IpoptSettings = std::map<std::string, std::string>;
 ///
 /// @param nlp    the task as Ipopt will see it
 /// @param start  where the solve starts
-/// @throws InputError  linear_solver = ma27: there is none
+/// @throws InputError  options that do not go together, or an output that cannot be written
 [[nodiscard]] IpoptSettings ipopt_settings(const Task& task, const SolverOptions& options, Nlp& nlp,
                                            const std::vector<double>& start);
 
-/// @throws InputError  an option or a value that Ipopt does not know
+/// @pre  ipopt_options() has read it
 void set_ipopt_option(Ipopt::IpoptApplication& app, const std::string& name, const std::string& value);
 
 }  // namespace kreisel::core

@@ -8,38 +8,13 @@
 #include <optional>
 #include <random>
 
-#include "error.hpp"
-#include "parse.hpp"
+#include "settings/field_text.hpp"
 #include "solve/dense.hpp"
 #include "solve/second_order.hpp"
 #include "stopwatch.hpp"
 
 namespace kreisel::core {
 namespace {
-
-struct MomentOptions {
-  double tolerance = 1e-13;
-  int levels = std::numeric_limits<int>::max();
-  std::optional<unsigned> seed;
-};
-
-MomentOptions parse_options(const std::map<std::string, std::string>& own, const device::Device& device) {
-  MomentOptions options;
-  if (device.single()) options.tolerance = 1e-8;  // a pass has no more digits
-  for (const auto& [name, text] : own) {
-    const double value = parse<double>(text).value_or(-1);
-    if (name == "tolerance" && value > 0)
-      options.tolerance = value;
-    else if (name == "levels" && value >= 1 && value == std::floor(value))
-      options.levels = static_cast<int>(value);
-    else if (name == "seed" && value >= 0 && value <= 1e9 && value == std::floor(value))
-      options.seed = static_cast<unsigned>(value);
-    else
-      throw InputError(fmt::format(
-          "moment.{} = {}; expected tolerance > 0, levels >= 1, whole, or seed >= 0, whole", name, text));
-  }
-  return options;
-}
 
 using State = MomentPoint;
 
@@ -265,12 +240,27 @@ void say_how_it_ended(Outcome& outcome, Phase phase, const State& state, const P
 
 }  // namespace
 
+Fields<MomentSettings> moment_fields() {
+  using namespace field_text;
+  return {{"tolerance", "", "residual, body units; default 1e-13, in single precision 1e-8",
+           [](auto& s, auto k, auto v) { s.tolerance = positive(k, v); },
+           [](auto& s) { return number_text(s.tolerance); }},
+          {"levels", "", "how many levels of the domain to solve on, the coarse first; default all",
+           [](auto& s, auto k, auto v) { s.levels = whole(k, v, 1); },
+           [](auto& s) { return s.levels ? std::to_string(*s.levels) : std::string(); }},
+          {"seed", "", "of a random quadric to start from; default from solid",
+           [](auto& s, auto k, auto v) { s.seed = static_cast<unsigned>(whole(k, v, 0)); },
+           [](auto& s) { return s.seed ? std::to_string(*s.seed) : std::string(); }}};
+}
+
 Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
-  const MomentOptions own = parse_options(options.own, task.device);
+  auto own = settings_as<MomentSettings>(options.own);
+  if (!own.tolerance) own.tolerance = task.device.single() ? 1e-8 : 1e-13;  // a pass has no more digits
+  const double tolerance = *own.tolerance;
   SupportOracle& domain = *task.formulation.oracle();
   const Problem& problem = task.problem;
   Outcome outcome;
-  outcome.settings = {{"tolerance", fmt::format("{:g}", own.tolerance)}};
+  outcome.settings = SettingTable(moment_fields()).in_force(own);
   task.device.reset_kernel_seconds();
   const Stopwatch watch;
 
@@ -278,12 +268,12 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
   Phase phase = Phase::stalled;
   bool known = false;
   int fine_passes = 0;
-  const int levels = std::min(own.levels, domain.levels());
+  const int levels = std::min(own.levels.value_or(domain.levels()), domain.levels());
   for (int level = levels - 1; level >= 0; --level) {
     TotalSupport oracle(domain, task.mass, level, task.stop);
     // The levels differ by far more than this.
     constexpr double coarse_tolerance = 1e-6;
-    Search search(problem, oracle, level == 0 ? own.tolerance : coarse_tolerance, outcome.history);
+    Search search(problem, oracle, level == 0 ? tolerance : coarse_tolerance, outcome.history);
     if (!known) {
       state = {};
       Moments from = -Moments::Unit(S1);  // solid
@@ -316,7 +306,7 @@ Outcome solve_with_moments(const Task& task, const SolverOptions& options) {
   outcome.kernel_seconds = task.device.kernel_seconds();
   if (phase == Phase::converged) {
     TotalSupport oracle(domain, task.mass, 0);
-    outcome.local_minimum = second_order(problem, oracle, state, own.tolerance);
+    outcome.local_minimum = second_order(problem, oracle, state, tolerance);
     outcome.evaluations.hessian += oracle.hessian_passes();
   }
   say_how_it_ended(outcome, phase, state, problem, fine_passes);

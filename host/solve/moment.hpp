@@ -29,16 +29,19 @@ enum class Phase { going_on, converged, infeasible, stalled, interrupted };
 [[nodiscard]] Phase find_stationary(const Problem& problem, TotalSupport& oracle, double tolerance,
                                     int most_steps, MomentPoint& point);
 
+struct MomentSettings {
+  std::optional<double> tolerance;  ///< residual in body units; nothing: 1e-13, in single precision 1e-8
+  std::optional<int> levels;        ///< how many of the oracle's levels to use; nothing: all
+  std::optional<unsigned> seed;  ///< start from the moments that a random quadric cuts; nothing: from solid
+};
+
+[[nodiscard]] Fields<MomentSettings> moment_fields();
+
 /// Sequential quadratic programming over the convex set of attainable moments, each model solved by Newton's
 /// method on its dual (dual.hpp), first on the coarse levels of the oracle; then Newton's method on the
 /// optimality conditions as a whole, to round-off. x is the quadric. [docs/quadric.md]
 ///
-/// options  solver.start is not used; `own`: tolerance = residual in body units, default 1e-13, in single
-///          precision 1e-8;
-///          levels = how many of the oracle's levels to use, default all;
-///          seed = start from the moments that a random quadric cuts, default from solid (or from
-///          options.from, a quadric)
-/// @throws InputError  another option or unfit value
+/// @param options  solver.start is not used; `from` is a quadric; `own` MomentSettings
 [[nodiscard]] Outcome solve_with_moments(const Task& task, const SolverOptions& options);
 
 }  // namespace kreisel::core

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "error.hpp"
-#include "parse.hpp"
+#include "settings/field_text.hpp"
 #include "solve/nlp.hpp"
 #include "stopwatch.hpp"
 
@@ -27,27 +27,6 @@ namespace {
 
 /// What every solver meets, in body units; a result that misses more did not meet the constraints.
 constexpr double met = 1e-6;
-
-struct OwnOptions {
-  double ftol_rel = 1e-10;
-  int maxeval = 500;
-};
-
-OwnOptions parse_own(const std::map<std::string, std::string>& settings) {
-  OwnOptions own;
-  for (const auto& [name, value] : settings) {
-    const auto number = parse<double>(value);
-    const auto count = parse<int>(value);
-    if (name == "ftol_rel" && number && *number > 0 && *number < 1)
-      own.ftol_rel = *number;
-    else if (name == "maxeval" && count && *count > 0)
-      own.maxeval = *count;
-    else
-      throw InputError(
-          fmt::format("slsqp.{} = {}; expected 0 < ftol_rel < 1 or maxeval = NUMBER > 0", name, value));
-  }
-  return own;
-}
 
 double largest(std::span<const double> values) {
   double most = 0;
@@ -199,7 +178,7 @@ void add(nlopt_result (*adder)(nlopt_opt, unsigned, nlopt_mfunc, void*, const do
 
 /// A solve of NLopt, with all that it uses.
 struct SlsqpSearch {
-  SlsqpSearch(const Task& task, const SolverOptions& options, const OwnOptions& own)
+  SlsqpSearch(const Task& task, const SolverOptions& options, const SlsqpSettings& own)
       : nlp(make_direct_nlp(task,
                             options.from.empty() ? task.formulation.start(options.start) : options.from)),
         opt(create(*nlp)),
@@ -280,8 +259,21 @@ void judge(nlopt_result result, Outcome& outcome) {
 
 }  // namespace
 
+Fields<SlsqpSettings> slsqp_fields() {
+  using namespace field_text;
+  return {{"ftol_rel", "", "relative change of the objective at which it stops; default 1e-10",
+           [](auto& s, auto k, auto v) {
+             s.ftol_rel =
+                 number_where(k, v, "a number between 0 and 1", [](double f) { return f > 0 && f < 1; });
+           },
+           [](auto& s) { return number_text(s.ftol_rel); }},
+          {"maxeval", "", "evaluations of the objective at most; default 500",
+           [](auto& s, auto k, auto v) { s.maxeval = whole(k, v, 1); },
+           [](auto& s) { return std::to_string(s.maxeval); }}};
+}
+
 Outcome solve_with_slsqp(const Task& task, const SolverOptions& options) {
-  const OwnOptions own = parse_own(options.own);
+  const SlsqpSettings own = settings_as<SlsqpSettings>(options.own);
   if (const std::size_t n = task.formulation.num_variables(); n > slsqp_most_variables)
     throw InputError(
         fmt::format("solver 'slsqp' with {} cells; expected {} at most, as its memory grows with their "
@@ -306,8 +298,7 @@ Outcome solve_with_slsqp(const Task& task, const SolverOptions& options) {
   outcome.history = std::move(functions.history);
   outcome.iterations = static_cast<int>(outcome.history.size()) - 1;
   outcome.evaluations = search->nlp->evaluations();
-  outcome.settings = {{"ftol_rel", fmt::format("{:g}", own.ftol_rel)},
-                      {"maxeval", std::to_string(own.maxeval)}};
+  outcome.settings = SettingTable(slsqp_fields()).in_force(own);
   outcome.solve_seconds = watch.seconds();
   outcome.kernel_seconds = task.device.kernel_seconds();
   return outcome;

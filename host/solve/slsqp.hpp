@@ -12,14 +12,21 @@ namespace kreisel::core {
 /// takes n^3 operations.
 constexpr std::size_t slsqp_most_variables = 2000;
 
+struct SlsqpSettings {
+  double ftol_rel = 1e-10;  ///< relative change of the scaled objective at which it stops
+  int maxeval = 500;        ///< evaluations of the objective, at most
+};
+
+[[nodiscard]] Fields<SlsqpSettings> slsqp_fields();
+
 /// Sequential least-squares programming [Kraft 1988], by NLopt: minimises f(s(x)) and the formulation's
 /// regulariser over x, from gradients alone.
 ///
-/// options.own takes ftol_rel (relative change of the scaled objective at which it stops, > 0; default 1e-10)
-/// and maxeval (evaluations of the objective, > 0; default 500). NLopt gives no multipliers: the outcome's
-/// dual infeasibility and complementarity stay 0, and every solve starts cold.
+/// NLopt gives no multipliers: the outcome's dual infeasibility and complementarity stay 0, and every solve
+/// starts cold.
 ///
-/// @throws InputError  another option or value; or more than slsqp_most_variables, also after a refinement:
+/// @param options  `own`: SlsqpSettings
+/// @throws InputError  more than slsqp_most_variables, also after a refinement:
 ///                     a result whose cells are coarser than asked for would be taken for one of the others
 Outcome solve_with_slsqp(const Task& task, const SolverOptions& options);
 

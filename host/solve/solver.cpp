@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "error.hpp"
-#include "parse.hpp"
+#include "settings/field_text.hpp"
 #include "solve/ipopt.hpp"
 #include "solve/moment.hpp"
 #include "solve/plane_sweep.hpp"
@@ -40,29 +40,50 @@ Evaluations& Evaluations::operator+=(const Evaluations& other) {
   return *this;
 }
 
-SolverOptions parse_solver_options(const std::map<std::string, std::string>& settings) {
+namespace {
+
+struct CommonSettings {
+  Start start = Start::middle;
+  std::optional<bool> convexify;  ///< nothing: as `untouched` says
+  std::optional<double> reach;
+  bool untouched = false;
+};
+
+Fields<CommonSettings> common_fields() {
+  using namespace field_text;
+  static const Words<Start> starts = {
+      {"lower", Start::lower}, {"middle", Start::middle}, {"upper", Start::upper}};
+  static const Words<std::optional<bool>> curvatures = {{"convex", true}, {"full", false}};
+  static const Words<bool> defaults = {{"kreisel", false}, {"ipopt", true}};
+  return {{"start", "", "of the variables between their bounds: lower, middle (default) or upper",
+           [](auto& s, auto k, auto v) { s.start = word(starts, k, v); },
+           [](auto& s) { return word_for(starts, s.start); }},
+          {"curvature", "", "of the moments in the variables: convex (default: its positive part) or full",
+           [](auto& s, auto k, auto v) { s.convexify = word(curvatures, k, v); },
+           [](auto& s) { return word_for(curvatures, s.convexify); }},
+          {"reach", "",
+           "largest derivative of the scaled objective at the start; default as suits the formulation",
+           [](auto& s, auto k, auto v) { s.reach = positive(k, v); },
+           [](auto& s) { return number_text(s.reach); }},
+          {"defaults", "", "of Ipopt's options: kreisel (default) or ipopt, its own",
+           [](auto& s, auto k, auto v) { s.untouched = word(defaults, k, v); },
+           [](auto& s) { return word_for(defaults, s.untouched); }}};
+}
+
+}  // namespace
+
+const SettingTable& solver_settings() {
+  static const SettingTable all(common_fields());
+  return all;
+}
+
+SolverOptions parse_solver_options(const SettingTexts& settings) {
+  const auto given = settings_as<CommonSettings>(solver_settings().read(settings, "solver", "solvers"));
   SolverOptions options;
-  if (const auto defaults = settings.find("defaults"); defaults != settings.end()) {
-    options.untouched = defaults->second == "ipopt";
-    options.convexify = !options.untouched;
-  }
-  for (const auto& [name, value] : settings) {
-    if (name == "start")
-      options.start = parse_start(value);
-    else if (name == "curvature" && (value == "convex" || value == "full"))
-      options.convexify = value == "convex";
-    else if (name == "defaults" && (value == "kreisel" || value == "ipopt"))
-      continue;  // first of all, above
-    else if (name == "reach") {
-      options.reach = parse<double>(value);
-      if (!options.reach || !(*options.reach > 0))
-        throw InputError(fmt::format("solver.reach = {}; expected a number > 0", value));
-    } else
-      throw InputError(fmt::format(
-          "solver.{} = {}; expected start = lower, middle or upper, curvature = convex or full, reach = "
-          "NUMBER, or defaults = kreisel or ipopt",
-          name, value));
-  }
+  options.start = given.start;
+  options.convexify = given.convexify.value_or(!given.untouched);
+  options.reach = given.reach;
+  options.untouched = given.untouched;
   return options;
 }
 
@@ -88,21 +109,25 @@ std::vector<SolverEntry> ours() {
        "linear systems by our own arrow, or MUMPS (ipopt.linear_solver)",
        solve_with_ipopt,
        {.derivatives = true},
+       ipopt_options(),
        {},
        true,
        true},
       {"moment",
        "sequential quadratic programming and Newton's method in the ten moments (docs/quadric.md)",
        solve_with_moments,
-       {.oracle = true}},
+       {.oracle = true},
+       moment_fields()},
       {"slsqp",
        "sequential least squares by NLopt, for small octrees: its memory grows with their square",
        solve_with_slsqp,
-       {.derivatives = true, .refinement = true}},
+       {.derivatives = true, .refinement = true},
+       slsqp_fields()},
       {"plane-sweep",
        "carves from the far side until nothing brings the centre of mass nearer: a baseline for stand",
        solve_with_plane_sweep,
        {.voxels = true},
+       {},
        {"stand"}},
   };
 }

@@ -66,10 +66,10 @@ struct Outcome {
   Evaluations evaluations;
   std::vector<Iterate> history;
   int steps = 1;  ///< problems solved in sequence (Problem::next); iterations and seconds are of all of them
-  std::map<std::string, std::string> settings;  ///< the solver's own options as they were in force
-  WarmStart warm;                               ///< where the solver can go on from one
-  std::vector<Refinement> refinements;          ///< every round; of a formulation that refines
-  std::optional<LocalMinimum> local_minimum;    ///< of a solve in the moments that converged
+  SettingTexts settings;                      ///< the solver's own as they were in force
+  WarmStart warm;                             ///< where the solver can go on from one
+  std::vector<Refinement> refinements;        ///< every round; of a formulation that refines
+  std::optional<LocalMinimum> local_minimum;  ///< of a solve in the moments that converged
 
   [[nodiscard]] bool converged() const {
     return termination == Termination::optimal || termination == Termination::acceptable;
@@ -104,21 +104,25 @@ struct SolverOptions {
   std::optional<double> reach;
   /// Ipopt with its own defaults: no scale, tolerance, linear solver or curvature of ours.
   bool untouched = false;
-  std::map<std::string, std::string> own;  ///< passed to the solver by name: `--set ipopt.NAME=VALUE`
+  Settings own;  ///< what the solver has read of its own (SolverEntry::settings); none: its defaults
 };
 
-/// From `--set solver.NAME=VALUE`: start = lower | middle | upper, curvature = convex | full,
-/// reach = NUMBER, defaults = kreisel | ipopt.
+/// What is set under `solver.`, for whichever solves: start, curvature, reach, defaults.
+[[nodiscard]] const SettingTable& solver_settings();
 /// @throws InputError  another name or value
-[[nodiscard]] SolverOptions parse_solver_options(const std::map<std::string, std::string>& settings);
+[[nodiscard]] SolverOptions parse_solver_options(const SettingTexts& settings);
 
 struct SolverEntry {
   std::string name, summary;
   Outcome (*solve)(const Task& task, const SolverOptions& options);
   Offers needs = {};                       ///< of a formulation
+  SettingTable settings = {};              ///< of its own, under its name: SolverOptions::own
   std::vector<std::string> problems = {};  ///< that it is made for; empty: all
   bool nonlinear = false;                  ///< takes problems with nonlinear rows or variables of their own
   bool moving = false;                     ///< takes formulations with variables that move the body
+
+  /// @throws InputError  an unknown setting, or a value that does not fit
+  [[nodiscard]] Settings read(const SettingTexts& given) const { return settings.read(given, name, name); }
 
   [[nodiscard]] bool works_with(const FormulationEntry& formulation) const {
     return formulation.offers.has(needs);

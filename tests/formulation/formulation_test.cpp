@@ -27,7 +27,7 @@ const Columns& torus() {
 
 struct Kind {
   std::string formulation;
-  FormulationSettings settings;
+  SettingTexts settings;
   bool single;
   Filling filling = Filling::segment;
 };
@@ -292,7 +292,7 @@ TEST(MakeFormulation, RaysFilledFromBelowHaveOneVariableEach) {
   }
 }
 
-void refuses(const std::string& name, const FormulationSettings& settings, const std::string& part) {
+void refuses(const std::string& name, const SettingTexts& settings, const std::string& part) {
   try {
     (void)make_formulation(name, torus(), {}, settings, test_device());
     FAIL() << "accepted; expected: " << part;
@@ -303,21 +303,11 @@ void refuses(const std::string& name, const FormulationSettings& settings, const
 
 TEST(MakeFormulation, RefusesUnknownNamesAndUnfitSettings) {
   refuses("vocksel", {}, "formulation 'vocksel' is unknown; expected one of: voxel, rayrep");
-  refuses("voxel", {{"unit", "cell"}}, "formulation.unit; voxel has no settings");
-  refuses("rayrep", {{"bounds", "both"}}, "formulation.bounds = both for rayrep; expected");
-  refuses("rayrep", {{"units", "cell"}}, "formulation.units = cell for rayrep; expected");
-}
-
-TEST(ParseStart, KnowsThreeWordsAndNamesThem) {
-  EXPECT_EQ(parse_start("lower"), Start::lower);
-  EXPECT_EQ(parse_start("middle"), Start::middle);
-  EXPECT_EQ(parse_start("upper"), Start::upper);
-  try {
-    (void)parse_start("Middle");
-    FAIL() << "accepted";
-  } catch (const InputError& e) {
-    EXPECT_STREQ(e.what(), "start 'Middle'; expected lower, middle or upper");
-  }
+  refuses("voxel", {{"unit", "cell"}},
+          "formulation.unit = cell; voxel has no setting of that name; expected none");
+  refuses("rayrep", {{"bounds", "both"}}, "formulation.bounds = 'both'; expected midpoint or ordered");
+  refuses("rayrep", {{"units", "cell"}},
+          "formulation.units = cell; rayrep has no setting of that name (did you mean unit?)");
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace kreisel::core {
 namespace {
 
-std::unique_ptr<Formulation> make(const FormulationSettings& settings = {}) {
+std::unique_ptr<Formulation> make(const SettingTexts& settings = {}) {
   return make_formulation("octree", torus(), {}, settings, test_device());
 }
 
@@ -187,12 +187,12 @@ TEST(OctreeFormulation, TellsItsSettingsAndRefusesUnfitOnes) {
   const std::map<std::string, std::string> defaults = {
       {"gamma_l", "0.001"}, {"epsilon", "0.01"}, {"start_level", "3"}};
   EXPECT_EQ(make()->settings(), defaults);
-  for (const FormulationSettings& wrong : std::vector<FormulationSettings>{{{"gamma_l", "-1"}},
-                                                                           {{"epsilon", "0.5"}},
-                                                                           {{"epsilon", "0"}},
-                                                                           {{"start_level", "7"}},
-                                                                           {{"start_level", "-1"}},
-                                                                           {{"gamma", "1"}}})
+  for (const SettingTexts& wrong : std::vector<SettingTexts>{{{"gamma_l", "-1"}},
+                                                             {{"epsilon", "0.5"}},
+                                                             {{"epsilon", "0"}},
+                                                             {{"start_level", "7"}},
+                                                             {{"start_level", "-1"}},
+                                                             {{"gamma", "1"}}})
     expect_refusal([&] { (void)make(wrong); }, "formulation." + wrong.begin()->first, {});
 }
 

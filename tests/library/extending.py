@@ -7,6 +7,7 @@ Refuses where a file is there already. Everything is as it was in the end, but t
 
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -41,6 +42,31 @@ def edited(source, said, blocks, where):
     return source
 
 
+def run_programs(build, results):
+    """What was added, in every program, with nothing else changed: a table, records, a map, a part."""
+    def run(*command):
+        done = subprocess.run([str(word) for word in command], text=True, stdout=subprocess.PIPE)
+        print(done.stdout)
+        assert done.returncode == 0, f"{command}: exit code {done.returncode}"
+        return done.stdout
+
+    shutil.rmtree(results, ignore_errors=True)
+    table = run(build / "bench", "run", ROOT / "experiments" / "layers.toml", "--results", results)
+    rows = [line for line in table.splitlines() if " layer " in line]
+    assert sum(" compass " in row for row in rows) == 2 and sum(" ipopt " in row for row in rows) == 2, table
+    assert "compass.penalty" in run(build / "bench", "fields", "--markdown")
+    record, part = results / "lowest.h5", results / "lowest.3mf"
+    run(build / "bench", "--model", "ellipsoid", "--problem", "lowest", "--mass", "70%", "--formulation", "layer",
+        "--solver", "compass", "--set", "compass.finest=1e-6", "--resolution", "32", "--record", record)
+    shown = run(build / "bench", "show", record)
+    assert all(name in shown for name in ("lowest", "layer", "compass")), shown
+    run(build / "bench", "map", "kitten", "--problem", "lowest", "--axes", "12", "--resolution", "32",
+        "--record", results / "map.h5")
+    assert "lowest" in run(build / "bench", "show", results / "map.h5")
+    run(build / "design", "lowest", "kitten", "-o", part, "--mass", "70%", "--resolution", "64")
+    assert "closed" in run(build / "bench", "inspect", part)
+
+
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     kept, suites = {}, []
@@ -59,12 +85,11 @@ def main():
                 kept.setdefault(path, path.read_text())
                 path.write_text(edited(path.read_text(), said, blocks, document.name))
         assert suites, "no tests in docs/extending"
-        subprocess.run(["cmake", "--build", build, "--target", "kreisel_tests", "bench"], check=True,
+        subprocess.run(["cmake", "--build", build, "--target", "kreisel_tests", "bench", "design"], check=True,
                        stdout=subprocess.DEVNULL)
         wanted = ":".join(f"*{suite}*" for suite in sorted(set(suites)))
         subprocess.run([build / "tests" / "kreisel_tests", f"--gtest_filter={wanted}"], check=True)
-        subprocess.run([build / "bench", "run", ROOT / "experiments" / "layers.toml", "--results", build / "extending"],
-                       check=True)
+        run_programs(build, build / "extending")
     finally:
         for path, text in kept.items():
             path.unlink() if text is None else path.write_text(text)

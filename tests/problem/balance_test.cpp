@@ -101,12 +101,11 @@ TEST(MakeBalance, RefusesUnfitSettings) {
   const Body body = turned_body();
   expect_refused("balance", {}, body, "balance needs to know where; expected --set problem.point=x,y,z");
   expect_refused("balance", {{"line", "0,0,1"}}, body, "needs to know where");
-  expect_refused("balance", {{"point", "1,2"}}, body, "problem.point = 1,2 for balance");
-  expect_refused("balance", {{"point", "1,2,x"}}, body, "problem.point = 1,2,x for balance");
-  expect_refused("balance", {{"point", "1,2,3"}, {"line", "0,0,0"}}, body,
-                 "problem.line = 0,0,0 for balance");
+  expect_refused("balance", {{"point", "1,2"}}, body, "problem.point = 1,2; expected");
+  expect_refused("balance", {{"point", "1,2,x"}}, body, "problem.point = 1,2,x; expected");
+  expect_refused("balance", {{"point", "1,2,3"}, {"line", "0,0,0"}}, body, "problem.line = 0,0,0; expected");
   expect_refused("balance", {{"point", "1,2,3"}, {"lime", "0,0,1"}}, body,
-                 "problem.lime = 0,0,1 for balance");
+                 "problem.lime = 0,0,1; balance has no setting of that name (did you mean line?)");
 }
 
 }  // namespace

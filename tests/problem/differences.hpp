@@ -49,14 +49,15 @@ inline void expect_derivatives(const Problem& problem, const Moments& s, double 
   EXPECT_EQ(h, Matrix10(h.transpose()));
 }
 
-/// That make_problem() refuses `settings` in one line with `part` and "expected" in it.
-inline void expect_refused(const std::string& name, const ProblemSettings& settings, const Body& body,
+/// That make_problem() refuses `settings` in one line with `part` and "expected" in it; quotes do not matter.
+inline void expect_refused(const std::string& name, const SettingTexts& settings, const Body& body,
                            const std::string& part) {
   try {
     (void)make_problem(name, settings, body);
     ADD_FAILURE() << "accepted; expected: " << part;
   } catch (const InputError& e) {
-    const std::string text = e.what();
+    std::string text = e.what();
+    std::erase(text, '\'');
     EXPECT_NE(text.find(part), std::string::npos) << text;
     EXPECT_NE(text.find("expected"), std::string::npos) << text;
     EXPECT_EQ(text.find('\n'), std::string::npos) << text;

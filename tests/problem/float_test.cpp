@@ -98,7 +98,7 @@ TEST(FloatScope, NamesTheDensitiesThatCanFloat) {
 }
 
 /// Waterline in body units and mass, from what the problem says of itself.
-std::pair<double, double> depth_and_mass(const ProblemSettings& settings, const Body& body) {
+std::pair<double, double> depth_and_mass(const SettingTexts& settings, const Body& body) {
   const auto problem = make_problem("float", settings, body);
   const double mass = problem->constraints().lower[0];
   const Verdict v = problem->verify(load(mass, {0, 0, 0}), length_mm);
@@ -106,7 +106,7 @@ std::pair<double, double> depth_and_mass(const ProblemSettings& settings, const 
   return {v.values.at("draft_mm") / length_mm, mass};
 }
 
-void expect_draft(const ProblemSettings& settings, const Body& body, double depth, double mass) {
+void expect_draft(const SettingTexts& settings, const Body& body, double depth, double mass) {
   const auto [got_depth, got_mass] = depth_and_mass(settings, body);
   EXPECT_NEAR(got_depth, depth, round_off);
   EXPECT_NEAR(got_mass, mass, round_off);
@@ -146,15 +146,17 @@ TEST(MakeFloat, MeasuresTheDraftFromTheLowestPoint) {
 }
 
 TEST(MakeFloat, RefusesUnfitSettings) {
-  for (const char* text :
-       {"abc", "0%", "-5%", "101%", "0", "-1mm", "26", "25.1mm", "", "%", "nan", "-5g", "0g"})
+  for (const char* text : {"abc", "0%", "-5%", "101%", "0", "-1mm", "", "%", "nan", "-5g", "0g"})
     expect_refused("float", {{"draft", text}}, barge(),
                    std::string("problem.draft = ") + text + "; expected a share of the height");
-  expect_refused("float", {{"draft", "abc"}}, barge(), "a depth up to 25 mm");
+  for (const char* text : {"26mm", "25.1mm"})
+    expect_refused("float", {{"draft", text}}, barge(),
+                   std::string("problem.draft = ") + text + ": test is 25 mm high");
   for (const char* text : {"0", "-1", "x", "nan"})
     expect_refused("float", {{"fluid_density", text}}, barge(),
-                   std::string("problem.fluid_density = ") + text + " for float");
-  expect_refused("float", {{"deep", "60%"}}, barge(), "problem.deep = 60% for float");
+                   std::string("problem.fluid_density = ") + text + "; expected a number > 0");
+  expect_refused("float", {{"deep", "60%"}}, barge(),
+                 "problem.deep = 60%; float has no setting of that name");
 }
 
 TEST(MakeFloat, RefusesAMassThatSinksAndSaysWhatTheBodyDisplaces) {

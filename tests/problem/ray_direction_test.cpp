@@ -21,9 +21,9 @@ Body lying_box() {
 std::optional<Vec3> towards(const Vec3& in_body, const std::string& line = "") {
   const Body body = lying_box();
   const Vec3 p = body.frame.to_model(Vec3(0, 0, 0.25) + in_body);
-  ProblemSettings settings = {{"point", fmt::format("{},{},{}", p[0], p[1], p[2])}};
+  SettingTexts settings = {{"point", fmt::format("{},{},{}", p[0], p[1], p[2])}};
   if (!line.empty()) settings["line"] = line;
-  return rays_of_balance(settings, body);
+  return rays_of_balance(find_problem("balance").read(settings), body);
 }
 
 TEST(RayDirection, IsTheModelsAxisMostSquarelyAcrossTheCut) {

@@ -223,7 +223,7 @@ TEST(MakeProblem, TakesItsSettings) {
   EXPECT_NEAR(both->value(s), 2 * plain->value(s) + 0.5, 64 * 0x1p-53);
 }
 
-void refuses(const std::string& name, const ProblemSettings& settings, const std::string& part) {
+void refuses(const std::string& name, const SettingTexts& settings, const std::string& part) {
   try {
     (void)make_problem(name, settings, Body{});
     FAIL() << "accepted; expected: " << part;
@@ -235,9 +235,9 @@ void refuses(const std::string& name, const ProblemSettings& settings, const std
 
 TEST(MakeProblem, RefusesUnknownNamesAndUnfitSettings) {
   refuses("spinn", {}, "problem 'spinn' is unknown (did you mean 'spin'?); expected one of: spin");
-  refuses("spin", {{"lamda", "1"}}, "problem.lamda = 1 for spin");
-  refuses("spin", {{"lambda", "-1"}}, "problem.lambda = -1 for spin");
-  refuses("spin", {{"gamma_i", "0"}}, "problem.gamma_i = 0 for spin");
+  refuses("spin", {{"lamda", "1"}}, "problem.lamda = 1; spin has no setting of that name (did you mean lambda?)");
+  refuses("spin", {{"lambda", "-1"}}, "problem.lambda = '-1'; expected");
+  refuses("spin", {{"gamma_i", "0"}}, "problem.gamma_i = '0'; expected");
   refuses("spin", {{"lambda", "nan"}}, "problem.lambda = nan");
 }
 

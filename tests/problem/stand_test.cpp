@@ -172,7 +172,7 @@ TEST(MakeStand, BaseWidensWhatTouchesTheGround) {
     if (v[1] > 0 && v[2] == 0) v[2] = 0.2;
   mesh.vertices.emplace_back(-0.5, 0, 0);
   mesh.vertices.emplace_back(0.5, 0, 0);  // touch nothing; only vertices count
-  const auto area = [&](const ProblemSettings& settings) {
+  const auto area = [&](const SettingTexts& settings) {
     const Body body = body_of(mesh);
     return make_problem("stand", settings, body)->verify(body.solid, 1).values.at("base_area_mm2");
   };
@@ -184,16 +184,16 @@ TEST(MakeStand, BaseWidensWhatTouchesTheGround) {
 
 TEST(MakeStand, RefusesUnfitSettingsAndBodies) {
   const Body body = box_body(50);
-  expect_refused("stand", {{"target", "foo"}}, body, "problem.target = foo for stand");
+  expect_refused("stand", {{"target", "foo"}}, body, "problem.target = foo; expected");
   expect_refused("stand", {{"target", ""}}, body, "centre, inside or max-tilt");
-  expect_refused("stand", {{"target", "inside"}, {"margin", "-1"}}, body, "problem.margin = -1 for stand");
+  expect_refused("stand", {{"target", "inside"}, {"margin", "-1"}}, body, "problem.margin = -1; expected");
   expect_refused("stand", {{"target", "inside"}, {"margin", "1mm"}}, body, "problem.margin = 1mm");
   expect_refused("stand", {{"margin", "1"}}, body, "problem.margin = 1 for target centre");
   expect_refused("stand", {{"target", "max-tilt"}, {"margin", "1"}}, body, "for target max-tilt");
   expect_refused("stand", {{"target", "inside"}, {"margin", "12.5"}}, body, "problem.margin = 12.5");
   for (const char* base : {"0.1", "-1%", "100%", "x%", "nan%"})
-    expect_refused("stand", {{"base", base}}, body, std::string("problem.base = ") + base + " for stand");
-  expect_refused("stand", {{"lambda", "1"}}, body, "problem.lambda = 1 for stand");
+    expect_refused("stand", {{"base", base}}, body, std::string("problem.base = ") + base + "; expected");
+  expect_refused("stand", {{"lambda", "1"}}, body, "problem.lambda = 1; stand has no setting of that name");
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5, Vec3(1, 2, 0).normalized()).toRotationMatrix();
   const Body on_a_corner = body_of(moved(body.local, turn, Vec3::Zero()));
   expect_refused("stand", {{"base", "0.1%"}}, on_a_corner, "no base to stand on");

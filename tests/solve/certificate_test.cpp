@@ -220,7 +220,7 @@ TEST(MomentSolver, ReachesTheCertifiedOptimumFromRandomStarts) {
       const auto quadric = make_quadric(on.domain, {}, {}, test_device());
       for (int seed = 1; seed <= 5; ++seed) {
         SolverOptions options;
-        options.own["seed"] = std::to_string(seed);
+        options.own = solvers().find("moment").read({{"seed", std::to_string(seed)}});
         const Outcome outcome =
             solve(find_solver("moment", "quadric"), {problem, *quadric, on.mass, test_device()}, options);
         EXPECT_EQ(to_string(outcome.termination), "optimal")

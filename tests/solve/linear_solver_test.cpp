@@ -13,12 +13,12 @@ namespace {
 
 struct Asked {
   std::string problem;
-  ProblemSettings settings;
+  SettingTexts settings;
 };
 
 struct Way {
   std::string formulation, hessian;
-  FormulationSettings settings = {};
+  SettingTexts settings = {};
   bool convexify = true;
 };
 
@@ -85,8 +85,9 @@ Outcome solved(const Both& both, const std::string& linear_solver) {
       make_formulation(way.formulation, brick.domain, problem->traits(), way.settings, test_device());
   SolverOptions options;
   options.convexify = way.convexify;
-  options.own = {{"hessian_approximation", way.hessian}, {"max_iter", "60"}};
-  if (!linear_solver.empty()) options.own["linear_solver"] = linear_solver;
+  SettingTexts own = {{"hessian_approximation", way.hessian}, {"max_iter", "60"}};
+  if (!linear_solver.empty()) own["linear_solver"] = linear_solver;
+  options.own = solvers().find("ipopt").read(own);
   return solve(find_solver("ipopt", way.formulation), {*problem, *f, brick.mass, test_device()}, options);
 }
 
@@ -132,7 +133,7 @@ TEST(LinearSolver, IsMumpsWhereARegulariserTiesNeighbours) {
   const auto& ipopt = find_solver("ipopt", "octree");
   EXPECT_EQ(solve(ipopt, task, {}).settings.at("linear_solver"), "mumps");
   SolverOptions asked;
-  asked.own["linear_solver"] = "arrow";
+  asked.own = ipopt.read({{"linear_solver", "arrow"}});
   const Outcome outcome = solve(ipopt, task, asked);
   EXPECT_EQ(outcome.settings.at("linear_solver"), "mumps");
   EXPECT_NE(outcome.message.find("by MUMPS: the systems are no arrow"), std::string::npos) << outcome.message;
@@ -145,9 +146,9 @@ TEST(LinearSolver, IsMumpsWhereAnOptionOfMumpsIsSet) {
   const Task task{*problem, *f, brick.mass, test_device()};
   const auto& ipopt = find_solver("ipopt", "voxel");
   SolverOptions options;
-  options.own["mumps_pivot_order"] = "2";
+  options.own = ipopt.read({{"mumps_pivot_order", "2"}});
   EXPECT_EQ(solve(ipopt, task, options).settings.at("linear_solver"), "mumps");
-  options.own["linear_solver"] = "arrow";
+  options.own = ipopt.read({{"mumps_pivot_order", "2"}, {"linear_solver", "arrow"}});
   EXPECT_THROW(static_cast<void>(solve(ipopt, task, options)), InputError);
 }
 

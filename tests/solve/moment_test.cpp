@@ -65,7 +65,7 @@ TEST(MomentSolver, PassesOverAFineGridAFewTimesOnly) {
   ASSERT_GE(way->oracle()->levels(), 3);
   const Task task{problem, *way, mass, test_device()};
   SolverOptions fine_only;
-  fine_only.own["levels"] = "1";
+  fine_only.own = MomentSettings{.tolerance = {}, .levels = 1, .seed = {}};
   const Outcome cold = solve_with_moments(task, fine_only), warm = solve_with_moments(task, {});
   ASSERT_EQ(cold.termination, Termination::optimal) << cold.message;
   ASSERT_EQ(warm.termination, Termination::optimal) << warm.message;
@@ -263,9 +263,7 @@ TEST(MomentSolver, RefusesWhatItDoesNotKnow) {
   const MassModel mass;
   const Task task{problem, *way, mass, test_device()};
   for (const auto& [name, value] : {std::pair{"tolerance", "0"}, {"levels", "1.5"}, {"max_iter", "3"}}) {
-    SolverOptions options;
-    options.own[name] = value;
-    EXPECT_THROW((void)solve_with_moments(task, options), InputError) << name;
+    EXPECT_THROW((void)solvers().find("moment").read({{name, value}}), InputError) << name;
   }
   EXPECT_THROW((void)make_formulation("quadric", domain, {}, {{"bounds", "ordered"}}, test_device()),
                InputError);

@@ -101,7 +101,7 @@ enum class Asked { spin, margin, nonlinear };
 struct Kind {
   Form form;
   std::string formulation;
-  FormulationSettings settings;
+  SettingTexts settings;
   Asked asked = Asked::spin;
   Filling filling = Filling::segment;
 };

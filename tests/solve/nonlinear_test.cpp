@@ -27,8 +27,8 @@ struct Way {
 Outcome solve_by(const Way& way, const Problem& problem) {
   const auto formulation = make_formulation(way.formulation, BoxDomain::columns(), {}, {}, test_device());
   SolverOptions options;
-  options.own = {
-      {"hessian_approximation", way.hessian}, {"linear_solver", way.linear_solver}, {"tol", "1e-9"}};
+  options.own = solvers().find("ipopt").read(
+      {{"hessian_approximation", way.hessian}, {"linear_solver", way.linear_solver}, {"tol", "1e-9"}});
   return solve(find_solver("ipopt", way.formulation),
                {problem, *formulation, shell_of_nothing, test_device()}, options);
 }
@@ -211,7 +211,7 @@ TEST(MovingVariables, HaveNoExactHessian) {
   LiftedShell formulation(shell);
   const Heaviest problem(0.6);
   SolverOptions options;
-  options.own = {{"hessian_approximation", "exact"}};
+  options.own = solvers().find("ipopt").read({{"hessian_approximation", "exact"}});
   EXPECT_THROW(
       (void)solve(find_solver("ipopt", "voxel"), {problem, formulation, {shell, 1}, test_device()}, options),
       InputError);

@@ -8,7 +8,7 @@ namespace kreisel::core {
 namespace {
 
 std::unique_ptr<Formulation> make(const Case& on, const std::string& name,
-                                  const FormulationSettings& settings = {}) {
+                                  const SettingTexts& settings = {}) {
   return make_formulation(name, on.domain, {}, settings, test_device());
 }
 

@@ -59,7 +59,7 @@ struct Solved {
 
 Solved solve_on(const Rays& domain, const Problem& problem, const MassModel& model,
                 const SolverOptions& options = {}) {
-  auto way = make_quadric(domain, {}, test_device());
+  auto way = make_quadric(domain, test_device());
   Outcome outcome = solve_with_moments({problem, *way, model, test_device()}, options);
   return {std::move(outcome), std::move(way)};
 }

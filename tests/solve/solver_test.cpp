@@ -17,7 +17,7 @@ const char* const lbfgs = "limited-memory";
 
 struct Way {
   std::string formulation;
-  FormulationSettings settings;
+  SettingTexts settings;
   std::string hessian;
   bool convexify = true;
 };
@@ -43,7 +43,7 @@ std::vector<Way> ways() {
 SolverOptions options_of(const Way& way) {
   SolverOptions options;
   options.convexify = way.convexify;
-  options.own["hessian_approximation"] = way.hessian;
+  options.own = solvers().find("ipopt").read({{"hessian_approximation", way.hessian}});
   return options;
 }
 
@@ -169,10 +169,8 @@ class IpoptOn : public testing::Test {
     return solve({problem, *formulation_, MassModel{}, test_device()}, options);
   }
   void refuses(const std::string& name, const std::string& value, const std::string& part) {
-    SolverOptions options;
-    options.own[name] = value;
     try {
-      (void)run(options);
+      (void)solvers().find("ipopt").read({{name, value}});
       FAIL() << "accepted ipopt." << name << " = " << value;
     } catch (const InputError& e) {
       const std::string text = e.what();
@@ -185,7 +183,9 @@ class IpoptOn : public testing::Test {
       make_formulation("rayrep", BoxDomain::columns(), {}, {}, test_device());
 };
 
-TEST_F(IpoptOn, RefusesAnOptionItDoesNotKnow) { refuses("max_itr", "5", "Ipopt has no option of that name"); }
+TEST_F(IpoptOn, RefusesAnOptionItDoesNotKnow) {
+  refuses("max_itr", "5", "ipopt has no setting of that name (did you mean max_iter?)");
+}
 
 TEST_F(IpoptOn, RefusesAValueOfTheWrongKindOrRange) {
   refuses("max_iter", "many", "is not a value Ipopt takes");
@@ -198,7 +198,7 @@ TEST_F(IpoptOn, RefusesAValueOfTheWrongKindOrRange) {
 
 TEST_F(IpoptOn, AnEarlyStopSaysSoAndKeepsWhatItHas) {
   SolverOptions options;
-  options.own["max_iter"] = "3";
+  options.own = solvers().find("ipopt").read({{"max_iter", "3"}});
   const Outcome outcome = run(options);
   EXPECT_EQ(to_string(outcome.termination), "failed");
   EXPECT_EQ(outcome.message, "maximum number of iterations exceeded");
@@ -229,7 +229,7 @@ TEST_F(IpoptOn, CountsTheCallbacksOfBothForms) {
   const Outcome lifted = run({});
   EXPECT_GT(lifted.evaluations.hessian, 0);
   SolverOptions options;
-  options.own["hessian_approximation"] = lbfgs;
+  options.own = solvers().find("ipopt").read({{"hessian_approximation", lbfgs}});
   EXPECT_EQ(run(options).evaluations.hessian, 0);
 }
 

@@ -154,7 +154,7 @@ TEST(TopCertificate, BoundsWhateverIsAttainedAndMeetsWhatRandomStartsReach) {
     for (const Moments& s : all) EXPECT_LE(c.bound, problem.value(s));
     for (int seed = 1; seed <= 3; ++seed) {
       SolverOptions start;
-      start.own["seed"] = std::to_string(seed);
+      start.own = solvers().find("moment").read({{"seed", std::to_string(seed)}});
       const Outcome outcome =
           solve(find_solver("moment", "quadric"), {problem, *quadric, on.mass, test_device()}, start);
       EXPECT_EQ(to_string(outcome.termination), "optimal") << seed << ' ' << outcome.message;

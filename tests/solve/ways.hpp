@@ -29,7 +29,8 @@ inline std::vector<Way> ways() {
 inline SolverOptions options_of(const Way& way) {
   SolverOptions options;
   options.convexify = way.convexify;
-  if (!way.hessian.empty()) options.own["hessian_approximation"] = way.hessian;
+  if (!way.hessian.empty())
+    options.own = solvers().find("ipopt").read({{"hessian_approximation", way.hessian}});
   return options;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "apps/bench/commands.hpp"
+#include "formulation/formulation.hpp"
+#include "solve/solver.hpp"
 
 namespace kreisel::core::bench {
 namespace {
@@ -49,6 +51,35 @@ void print_markdown(const std::vector<Row>& rows) {
                fmt::join(row.kinds, ", "));
 }
 
+/// A group of settings that are no fields, by whom it is read.
+struct Group {
+  std::string_view name, of;
+  const SettingTable* table;
+};
+
+std::vector<Group> groups_of_settings() {
+  std::vector<Group> all = {{"solver", "every solver", &solver_settings()}};
+  for (const FormulationEntry& entry : formulations())
+    all.push_back({"formulation", entry.name, &entry.settings});
+  for (const SolverEntry& entry : solvers()) all.push_back({entry.name, entry.name, &entry.settings});
+  return all;
+}
+
+/// Those of a solver that has hundreds are in its own documentation.
+void print_settings() {
+  constexpr std::size_t few = 20;
+  fmt::print("\n| setting | unit | what it says | of |\n|---|---|---|---|\n");
+  for (const Group& group : groups_of_settings()) {
+    const Fields<Settings>& fields = group.table->fields();
+    if (fields.size() > few)
+      fmt::print("| `{}.NAME` | | any of its {} own options | {} |\n", group.name, fields.size(), group.of);
+    else
+      for (const Field<Settings>& field : fields)
+        fmt::print("| `{}.{}` | {} | {} | {} |\n", group.name, field.name, field.unit, escaped(field.help),
+                   group.of);
+  }
+}
+
 void print_plain(const std::vector<Row>& rows) {
   std::string_view group;
   for (const Row& row : rows) {
@@ -65,6 +96,7 @@ int fields(const FieldsOptions& options) {
   const std::vector<Row> rows = rows_of(options.kind);
   if (options.markdown) {
     print_markdown(rows);
+    if (options.kind.empty()) print_settings();
     return done;
   }
   if (options.kind.empty()) {

@@ -40,7 +40,7 @@ struct Parsed {
 void add_run_options(CLI::App& app, Parsed& parsed) {
   const RunKind& solve = find_run_kind("solve");
   // A process of its own is what experiments make of a run with limits.
-  parsed.run.add(app, {&solve}, {}, {"certify", "memory", "seconds"});
+  parsed.run.add_but(app, {&solve}, {"certify", "memory", "seconds"});
   parsed.run.add_settings(app, solve);
   app.add_option_function<std::string>(
          "--certify",
@@ -58,15 +58,15 @@ void add_run_options(CLI::App& app, Parsed& parsed) {
 
 void add_inspect_options(CLI::App& app, Parsed& parsed) {
   parsed.run.add_model(app);
-  parsed.run.add(app, {&find_run_kind("solve")},
-                 {"axis", "contact", "up", "unit", "weld", "size", "density", "fineness"});
+  parsed.run.add_some(app, {&find_run_kind("solve")},
+                      {"axis", "contact", "up", "unit", "weld", "size", "density", "fineness"});
   app.add_option("--json", parsed.once.json_file, "write it all as JSON; - for standard output");
 }
 
 void add_map_options(CLI::App& app, Parsed& parsed) {
   const RunKind& map = find_run_kind("map");
   parsed.run.add_model(app);
-  parsed.run.add(app, {&map}, {}, {"model"});
+  parsed.run.add_but(app, {&map}, {"model"});
   parsed.run.add_settings(app, map);
   app.add_option("--json", parsed.map.json_file, "write it all as JSON; - for standard output");
   app.add_option("--record", parsed.map.record_file, "write the map as HDF5");
@@ -129,9 +129,9 @@ Command add_simulate(CLI::App& app, Parsed& parsed) {
   add_simulate_options(*simulated, parsed.simulate, [&](const std::string& field, const std::string& text) {
     parsed.run.say(field, text);
   });
-  parsed.run.add(*simulated, {&find_run_kind("simulation")},
-                 {"axis", "up", "unit", "weld", "size", "density", "void-density", "fineness", "device",
-                  "problem.fluid_density"});
+  parsed.run.add_some(*simulated, {&find_run_kind("simulation")},
+                      {"axis", "up", "unit", "weld", "size", "density", "void-density", "fineness", "device",
+                       "problem.fluid_density"});
   parsed.run.add_settings(*simulated, find_run_kind("simulation"));
   return {simulated, [&parsed] {
             parsed.run.apply(parsed.once.config);

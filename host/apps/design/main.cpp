@@ -3,8 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "apps/design/nest.hpp"
 #include "apps/design/outputs.hpp"
@@ -16,34 +17,15 @@
 #include "design/page.hpp"
 #include "error.hpp"
 #include "file/write_text.hpp"
+#include "problem/problem.hpp"
 #include "session/build_info.hpp"
 
 namespace {
 
 using kreisel::core::InputError;
+using kreisel::core::ProblemEntry;
 using kreisel::core::RunKind;
 using namespace kreisel::core::apps;
-
-/// What `design` can make: a problem, what it says in --help, the options it has of its own, and what they
-/// are where a maker is better served by other ones than a researcher.
-struct Purpose {
-  const char *problem, *help;
-  std::initializer_list<std::string_view> fields;
-  std::map<std::string, std::string> settings = {};
-};
-
-const Purpose purposes[] = {
-    {"spin", "a spinning top: it spins about the axis", {"axis", "contact", "stem", "tip"}},
-    {"yoyo", "a yo-yo: it spins about its axle", {"axis", "contact", "axle", "slot", "axle-depth"}},
-    {"stand",
-     "it stands on what is lowest",
-     {"up", "flatten", "problem.target"},
-     {{"problem.target", "max-tilt"}}},
-    {"balance", "its centre of mass is at a point, or on a line", {"up", "problem.point", "problem.line"}},
-    {"hang", "hung from a point it keeps its pose", {"problem.point", "problem.line"}},
-    {"die", "a fair die: its faces come up alike", {}},
-    {"float", "it floats upright at a given draft", {"up", "problem.draft", "problem.fluid_density"}},
-};
 
 struct Parsed {
   RunOptions run;
@@ -53,20 +35,40 @@ struct Parsed {
   NestArguments nest;
 };
 
-void add_options(CLI::App& app, Parsed& parsed, const Purpose& purpose) {
+/// How the body lies and is shaped, as far as that matters to the problem.
+std::vector<std::string_view> shape_of(const ProblemEntry& problem) {
+  if (problem.made.shape) return *problem.made.shape;
+  if (problem.upright) return {"up"};
+  return {"axis", "contact"};
+}
+
+/// Its settings, but for those that weigh the terms of f.
+std::vector<std::string> settings_of(const ProblemEntry& problem) {
+  std::vector<std::string> names;
+  for (const auto& setting : problem.settings.fields())
+    if (std::ranges::find(problem.weights, setting.name) == problem.weights.end())
+      names.push_back(fmt::format("problem.{}", setting.name));
+  return names;
+}
+
+void add_options(CLI::App& app, Parsed& parsed, const ProblemEntry& problem) {
   RunOptions& run = parsed.run;
   const RunKind& solve = kreisel::core::find_run_kind("solve");
   run.add_model(app);
   parsed.outputs.add(app, "the part");
-  if (purpose.fields.size() > 0) run.add(app, {&solve}, purpose.fields);  // none would be all
-  if (std::ranges::find(purpose.fields, "stem") != purpose.fields.end())
+  const std::vector<std::string> settings = settings_of(problem);
+  std::vector<std::string_view> own = shape_of(problem);
+  const bool stemmed = std::ranges::find(own, "stem") != own.end();
+  own.insert(own.end(), settings.begin(), settings.end());
+  run.add_some(app, {&solve}, own);
+  if (stemmed)
     run.add(
         app, "--through", "axis-through",
         "where an axis that is found runs: lowest (point along it) or centre (of mass, on a stem); default "
         "lowest, else centre");
   run.add(app, "--wall", "wall", "least wall: mm, or 2% (of the longest side, the default), or 1.5h (cells)");
-  run.add(app, {&solve},
-          {"unit", "weld", "size", "density", "interior-density", "void-density", "fineness", "device"});
+  run.add_some(app, {&solve},
+               {"unit", "weld", "size", "density", "interior-density", "void-density", "fineness", "device"});
   run.add(app, "--resolution", "resolution", "cells along the longest side; default 128");
   run.add(app, "--formulation", "formulation", "how the interior is described; default quadric");
   run.add_settings(app, solve);
@@ -92,13 +94,13 @@ void add_options(CLI::App& app, Parsed& parsed, const Purpose& purpose) {
       ->check(CLI::PositiveNumber);
 }
 
-int make(Parsed& parsed, const Purpose& purpose) {
+int make(Parsed& parsed, const ProblemEntry& problem) {
   kreisel::core::RunConfig& config = parsed.spec.config;
-  config.problem = purpose.problem;
+  config.problem = problem.name;
   config.formulation = "quadric";
   config.grid.resolution = 128;
   config.wall = kreisel::core::parse_wall("2%");
-  config.settings = purpose.settings;
+  for (const auto& [name, text] : problem.made.settings) config.settings["problem." + name] = text;
   parsed.run.apply(config);
   const DesignOutputs& outputs = parsed.outputs;
   outputs.require_writable();
@@ -123,8 +125,10 @@ int dispatch(int argc, char** argv) {
                                                 kreisel::core::build_info::commit));
   app.require_subcommand(0, 1);
   Parsed parsed;
-  for (const Purpose& purpose : purposes)
-    add_options(*app.add_subcommand(purpose.problem, purpose.help), parsed, purpose);
+  for (const ProblemEntry& problem : kreisel::core::problems())
+    add_options(
+        *app.add_subcommand(problem.name, problem.made.help.empty() ? problem.summary : problem.made.help),
+        parsed, problem);
   CLI::App* nested =
       app.add_subcommand("nest", "a nested doll: halves that come apart, around shapes as large as fit");
   add_nest_options(*nested, parsed.nest);
@@ -139,8 +143,7 @@ int dispatch(int argc, char** argv) {
     return done;
   }
   if (*nested) return nest_parts(parsed.nest);
-  const std::string asked = app.get_subcommands().front()->get_name();
-  return make(parsed, *std::ranges::find_if(purposes, [&](const Purpose& p) { return p.problem == asked; }));
+  return make(parsed, kreisel::core::find_problem(app.get_subcommands().front()->get_name()));
 }
 
 }  // namespace

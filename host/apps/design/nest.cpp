@@ -65,9 +65,9 @@ void add_nest_options(CLI::App& app, NestArguments& arguments) {
   app.add_option_function<std::string>(
       "--size", [&](const std::string& text) { arguments.options.say("outer-size", text); },
       "longest side of the outer shape in mm; default as the model is");
-  arguments.options.add(app, {&find_run_kind("layers")},
-                        {"layers", "printer-accuracy", "free", "up", "plane", "removal", "keep-out",
-                         "fineness", "particles", "iterations", "seed", "seconds", "cells", "device"});
+  arguments.options.add_some(app, {&find_run_kind("layers")},
+                             {"layers", "printer-accuracy", "free", "up", "plane", "removal", "keep-out",
+                              "fineness", "particles", "iterations", "seed", "seconds", "cells", "device"});
 }
 
 int nest_parts(NestArguments& arguments) {

@@ -11,8 +11,17 @@
 namespace kreisel::core::apps {
 namespace {
 
-bool among(RunOptions::Names names, std::string_view name) {
+bool among(const RunOptions::Names& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
+}
+
+/// Those of all kinds, each once.
+Fields<Run> fields_of(const std::vector<const RunKind*>& kinds) {
+  Fields<Run> all;
+  for (const RunKind* kind : kinds)
+    for (const Field<Run>& field : kind->fields)
+      if (!find_field(all, field.name)) all.push_back(field);
+  return all;
 }
 
 }  // namespace
@@ -29,27 +38,29 @@ void RunOptions::add_model(CLI::App& app) {
   app.get_option("--model")->required();
 }
 
-void RunOptions::add(CLI::App& app, const std::vector<const RunKind*>& kinds, Names some, Names but) {
-  std::vector<std::string_view> added;
-  for (const RunKind* kind : kinds)
-    for (const Field<Run>& field : kind->fields) {
-      if ((some.size() > 0 && !among(some, field.name)) || among(but, field.name) ||
-          std::ranges::find(added, field.name) != added.end())
-        continue;
-      added.push_back(field.name);
-      const std::string option = "--" + option_of(field), help(field.help), name(field.name);
-      CLI::Option* added_option = nullptr;
-      if (field.words == 1) {
-        added_option = app.add_option_function<std::string>(
-            option, [this, name](const std::string& text) { say(name, text); }, help);
-      } else {
-        added_option = app.add_option_function<std::vector<std::string>>(
-            option, [this, name](const std::vector<std::string>& words) { say(name, joined_words(words)); },
-            help);
-        if (field.words > 1) added_option->expected(field.words);
-      }
-      if (!field.unit.empty()) added_option->type_name(std::string(field.unit));
-    }
+void RunOptions::add(CLI::App& app, const Field<Run>& field) {
+  const std::string option = "--" + option_of(field), help(field.help), name(field.name);
+  CLI::Option* added = nullptr;
+  if (field.words == 1) {
+    added = app.add_option_function<std::string>(
+        option, [this, name](const std::string& text) { say(name, text); }, help);
+  } else {
+    added = app.add_option_function<std::vector<std::string>>(
+        option, [this, name](const std::vector<std::string>& words) { say(name, joined_words(words)); },
+        help);
+    if (field.words > 1) added->expected(field.words);
+  }
+  if (!field.unit.empty()) added->type_name(std::string(field.unit));
+}
+
+void RunOptions::add_some(CLI::App& app, const std::vector<const RunKind*>& kinds, const Names& some) {
+  for (const Field<Run>& field : fields_of(kinds))
+    if (among(some, field.name)) add(app, field);
+}
+
+void RunOptions::add_but(CLI::App& app, const std::vector<const RunKind*>& kinds, const Names& but) {
+  for (const Field<Run>& field : fields_of(kinds))
+    if (!among(but, field.name)) add(app, field);
 }
 
 void RunOptions::add_settings(CLI::App& app, const RunKind& kind) {
@@ -72,6 +83,7 @@ std::vector<GivenText> RunOptions::given() const {
 
 void RunOptions::apply(RunConfig& config) const {
   for (const GivenText& field : given()) set_field(config, field.name, field.text);
+  require_settings(config);
 }
 
 std::vector<const RunKind*> nesting_kinds() {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,11 +13,13 @@ namespace kreisel::core::apps {
 /// Collects what options say of a run; what set_field() refuses is refused when all is parsed.
 class RunOptions {
  public:
-  using Names = std::initializer_list<std::string_view>;
+  using Names = std::vector<std::string_view>;
 
   /// Options by the names of the fields of these kinds (option_of()), with the help that their table has, in
-  /// its order. @param some  names of fields; none: all
-  void add(CLI::App& app, const std::vector<const RunKind*>& kinds, Names some = {}, Names but = {});
+  /// its order.
+  void add(CLI::App& app, const std::vector<const RunKind*>& kinds) { add_but(app, kinds, {}); }
+  void add_some(CLI::App& app, const std::vector<const RunKind*>& kinds, const Names& some);
+  void add_but(CLI::App& app, const std::vector<const RunKind*>& kinds, const Names& but);
   /// The field "model" as an argument without a name, too, and required.
   void add_model(CLI::App& app);
   /// An option of another name, or with other help.
@@ -35,6 +36,8 @@ class RunOptions {
   [[nodiscard]] Run make(const RunKind& kind) const { return make_run(given(), kind); }
 
  private:
+  void add(CLI::App& app, const Field<Run>& field);
+
   std::vector<GivenText> given_;
   std::vector<std::string> settings_;
 };

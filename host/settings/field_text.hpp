@@ -2,11 +2,14 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "error.hpp"
@@ -28,6 +31,45 @@ inline int whole(std::string_view key, std::string_view value, int least) {
   const auto result = parse<int>(value);
   if (!result || *result < least) refuse(key, value, fmt::format("a whole number >= {}", least));
   return *result;
+}
+
+/// @param expected  what holds() asks for, in words
+template <class Holds>
+double number_where(std::string_view key, std::string_view value, std::string_view expected,
+                    const Holds& holds) {
+  const auto result = parse<double>(value);
+  if (!result || !holds(*result)) refuse(key, value, expected);
+  return *result;
+}
+inline double positive(std::string_view key, std::string_view value) {
+  return number_where(key, value, "a number > 0", [](double v) { return v > 0; });
+}
+inline double not_negative(std::string_view key, std::string_view value) {
+  return number_where(key, value, "a number >= 0", [](double v) { return v >= 0; });
+}
+
+inline std::string number_text(double v) { return fmt::format("{}", v); }
+inline std::string number_text(const std::optional<double>& v) { return v ? number_text(*v) : ""; }
+
+/// One of a few words, each of which stands for a value of an enumeration.
+template <class Value>
+using Words = std::vector<std::pair<std::string_view, Value>>;
+
+template <class Value>
+Value word(const Words<Value>& words, std::string_view key, std::string_view value) {
+  for (const auto& [name, meaning] : words)
+    if (name == value) return meaning;
+  std::vector<std::string_view> names;
+  for (const auto& [name, meaning] : words) names.push_back(name);
+  const std::string last(names.back());
+  names.pop_back();
+  refuse(key, value, fmt::format("{} or {}", fmt::join(names, ", "), last));
+}
+template <class Value>
+std::string word_for(const Words<Value>& words, const Value& value) {
+  for (const auto& [name, meaning] : words)
+    if (meaning == value) return std::string(name);
+  return "";
 }
 
 inline Eigen::Vector3d vector(std::string_view key, std::string_view value) {
