@@ -26,6 +26,7 @@ enum class Part { none, written };
 /// through the solid's centre of mass, on a peg as long as it takes to touch the ground at the lowest point's
 /// height.
 enum class Through { lowest, centre };
+inline const std::vector<std::string_view> ways_through = {"lowest", "centre"};  ///< by their numbers
 
 /// A pose that is to be found: of the problem's own direction, axis or up. [docs/poses.md]
 struct FreePose {

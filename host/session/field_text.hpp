@@ -2,14 +2,19 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "error.hpp"
+#include "field.hpp"
 #include "parse.hpp"
 
 namespace kreisel::core::field_text {
@@ -42,6 +47,40 @@ inline std::vector<std::string_view> split(std::string_view text, char at) {
     parts.push_back(text.substr(0, cut));
   parts.push_back(text);
   return parts;
+}
+
+/// The number of the word that the value is. @throws InputError  none of them
+inline std::size_t word_of(std::string_view key, std::string_view value,
+                           const std::vector<std::string_view>& words) {
+  const auto found = std::ranges::find(words, value);
+  if (found == words.end())
+    refuse(key, value, fmt::format("{}", fmt::join(words, words.size() == 2 ? " or " : ", ")));
+  return static_cast<std::size_t>(found - words.begin());
+}
+
+inline Choices words_of(const std::vector<std::string_view>& words) {
+  return [words] { return std::vector<std::string>(words.begin(), words.end()); };
+}
+
+/// A field whose value is one of some words.
+/// @param get  what it sets of a T, const or not: a bool or enumerator, by the word's number
+template <class T, class Get>
+[[nodiscard]] Field<T> one_of(std::string_view name, std::string_view help,
+                              const std::vector<std::string_view>& words, Get get,
+                              Identity identity = Identity::changed) {
+  using Value = std::remove_reference_t<decltype(get(std::declval<T&>()))>;
+  return {name,
+          "",
+          help,
+          [words, get](T& run, std::string_view key, std::string_view value) {
+            get(run) = static_cast<Value>(word_of(key, value, words));
+          },
+          [words, get](const T& run) { return std::string(words[static_cast<std::size_t>(get(run))]); },
+          identity,
+          1,
+          false,
+          "",
+          words_of(words)};
 }
 
 inline std::string text_of(const Eigen::Vector3d& v) { return fmt::format("{},{},{}", v[0], v[1], v[2]); }

@@ -9,6 +9,7 @@
 #include "apps/design/nest.hpp"
 #include "apps/design/outputs.hpp"
 #include "apps/design/print.hpp"
+#include "apps/shared/completion.hpp"
 #include "apps/shared/exit_code.hpp"
 #include "apps/shared/program.hpp"
 #include "apps/shared/run_options.hpp"
@@ -128,6 +129,8 @@ int dispatch(int argc, char** argv) {
   CLI::App* nested =
       app.add_subcommand("nest", "a nested doll: halves that come apart, around shapes as large as fit");
   add_nest_options(*nested, parsed.nest);
+  const CLI::App* completion = add_completion(app);
+  if (completes(app, argc, argv)) return done;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -138,6 +141,7 @@ int dispatch(int argc, char** argv) {
     fmt::print("{}", app.help());
     return done;
   }
+  if (*completion) return done;
   if (*nested) return nest_parts(parsed.nest);
   const std::string asked = app.get_subcommands().front()->get_name();
   return make(parsed, *std::ranges::find_if(purposes, [&](const Purpose& p) { return p.problem == asked; }));

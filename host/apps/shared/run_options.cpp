@@ -5,11 +5,21 @@
 
 #include <algorithm>
 
+#include "apps/shared/completion.hpp"
 #include "error.hpp"
 #include "words.hpp"
 
 namespace kreisel::core::apps {
 namespace {
+
+/// What its help and shells say of its value.
+void describe(const Field<Run>& field, CLI::Option* option) {
+  if (field.shapes)
+    option->type_name("NAME|FILE");
+  else if (!field.unit.empty())
+    option->type_name(std::string(field.unit));
+  offer(option, field.choices);
+}
 
 bool among(RunOptions::Names names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
@@ -19,8 +29,11 @@ bool among(RunOptions::Names names, std::string_view name) {
 
 void RunOptions::add(CLI::App& app, const std::string& option, const std::string& field,
                      const std::string& help) {
-  app.add_option_function<std::string>(
-      option, [this, field](const std::string& text) { say(field, text); }, help);
+  const auto kind = std::ranges::find_if(
+      run_kinds(), [&](const RunKind& one) { return find_field(one.fields, field) != nullptr; });
+  describe(*find_field(kind->fields, field),
+           app.add_option_function<std::string>(
+               option, [this, field](const std::string& text) { say(field, text); }, help));
 }
 
 void RunOptions::add_model(CLI::App& app) {
@@ -48,14 +61,19 @@ void RunOptions::add(CLI::App& app, const std::vector<const RunKind*>& kinds, Na
             help);
         if (field.words > 1) added_option->expected(field.words);
       }
-      if (!field.unit.empty()) added_option->type_name(std::string(field.unit));
+      describe(field, added_option);
     }
 }
 
 void RunOptions::add_settings(CLI::App& app, const RunKind& kind) {
-  app.add_option("--set", settings_, fmt::format("groups: {}", fmt::join(kind.groups, ", ")))
-      ->allow_extra_args(false)
-      ->type_name("GROUP.NAME=VALUE");
+  offer(app.add_option("--set", settings_, fmt::format("groups: {}", fmt::join(kind.groups, ", ")))
+            ->allow_extra_args(false)
+            ->type_name("GROUP.NAME=VALUE"),
+        [groups = kind.groups] {
+          std::vector<std::string> begun;
+          for (const std::string_view group : groups) begun.push_back(fmt::format("{}.", group));
+          return begun;
+        });
 }
 
 std::vector<GivenText> RunOptions::given() const {
