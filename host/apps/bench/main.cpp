@@ -14,6 +14,7 @@
 #include "apps/shared/program.hpp"
 #include "apps/shared/run_options.hpp"
 #include "error.hpp"
+#include "experiment/columns.hpp"
 #include "experiment/experiment.hpp"
 #include "session/build_info.hpp"
 
@@ -35,9 +36,9 @@ struct Parsed {
   NestOptions nest;
   FieldsOptions fields;
   RunOptions run;
-  std::vector<std::string> paths;
+  ShowOptions show;
   std::string only_device;
-  bool no_measure = false;
+  bool no_measure = false, markdown = false;
 };
 
 void add_file(CLI::App& app, const char* name, std::string& file, const char* help) {
@@ -184,11 +185,29 @@ Command add_report(CLI::App& app, Parsed& parsed) {
 }
 
 Command add_show(CLI::App& app, Parsed& parsed) {
-  CLI::App* shown = app.add_subcommand("show", "print records");
-  shown->add_option("records", parsed.paths, "HDF5 files, or folders of them")
+  ShowOptions& options = parsed.show;
+  CLI::App* shown = app.add_subcommand("show", "print records, or values of columns");
+  shown->add_option("records", options.paths, "HDF5 files, or folders of them")
       ->type_name("FILE|FOLDER")
       ->required();
-  return {shown, [&parsed] { return show(parsed.paths); }};
+  offer(shown
+            ->add_option("--columns", options.columns,
+                         "a row a record: names of `bench columns`, of a record's JSON, or arithmetic with "
+                         "them, with commas between them")
+            ->type_name("NAME,..."),
+        kreisel::core::names_in(kreisel::core::columns));
+  shown
+      ->add_option("--published", options.published,
+                   "numbers for columns published.NAME: a name of results/published, or a file")
+      ->type_name("NAME|FILE");
+  add_file(*shown, "--json", options.json_file, "write the columns as JSON; - for standard output");
+  return {shown, [&parsed] { return show(parsed.show); }};
+}
+
+Command add_columns(CLI::App& app, Parsed& parsed) {
+  CLI::App* listed = app.add_subcommand("columns", "what tables, CSV and figures call by name");
+  listed->add_flag("--markdown", parsed.markdown, "as a table of a page");
+  return {listed, [&parsed] { return list_columns(parsed.markdown); }};
 }
 
 Command add_compare(CLI::App& app, Parsed& parsed) {
@@ -230,7 +249,7 @@ int dispatch(int argc, char** argv) {
   add_run_options(app, parsed);
   std::vector<Command> commands;
   for (const auto add : {add_experiment, add_inspect, add_map, add_simulate, add_nest, add_report, add_show,
-                         add_compare, add_fields})
+                         add_compare, add_columns, add_fields})
     commands.push_back(add(app, parsed));
   commands.emplace_back(
       app.add_subcommand("list", "models, problems, formulations, solvers, experiments; which pairs work"),
