@@ -16,29 +16,29 @@ def above(run, best):
 
 
 def figure(found, _published=None):
-    runs = [run for run in records.with_results(found) if run["domain"]["kind"] == "columns"]
+    runs = [run for run in records.solved(found, "objective", "gap_percent", "domain") if run["domain"] == "columns"]
     rows = []
     for body, members in records.by_body(runs).items():
-        best = [run for run in members if run["formulation"] == "quadric" and records.converged(run)]
+        best = [run for run in members if run["formulation"] == "quadric" and run["converged"]]
         if best:
             rows.append((body, best[0], [run for run in members if run["formulation"] == "rayrep"]))
     if not rows:
         raise records.BadRecord("no converged quadric to compare with")
     fig, axes = plt.subplots(figsize=(7.5, 0.42 * len(rows) + 1.9))
     for y, (_, best, others) in enumerate(rows):
-        gap = best.get("gap", np.nan) * 100
+        gap = np.nan if best["gap_percent"] is None else best["gap_percent"]
         axes.barh(y, gap, height=0.5, left=-gap, color=style.VOID, edgecolor=style.QUIET, linewidth=0.5, zorder=1)
         for run in others:
             kind = run["config"].get("formulation.bounds", "midpoint")
             colour, marker = LOOKS[kind]
-            good = records.converged(run)
+            good = run["converged"]
             x = above(run, best)
             axes.plot(x, y, color=colour, marker=marker if good else "x", linestyle="none", markersize=7,
                       markerfacecolor=colour if kind == "midpoint" else "none", zorder=3)
             place = dict(xytext=(0, 7), ha="center") if kind == "midpoint" else dict(xytext=(7, -2.5), ha="left")
             axes.annotate(f"{x:.2g} %" + ("" if good else ", not converged"), (x, y), textcoords="offset points",
                           fontsize=7, color=colour, **place)
-    axes.set_yticks(range(len(rows)), [f"{best['model']} {records.grid_text(best)}" for _, best, _ in rows])
+    axes.set_yticks(range(len(rows)), [f"{best['model']} {best['grid']}" for _, best, _ in rows])
     axes.set_ylim(len(rows) - 0.4, -0.75)
     axes.set_xscale("symlog", linthresh=LEAST)
     low, high = axes.get_xlim()

@@ -5,12 +5,8 @@ import records
 import walls
 
 
-def density(run):
-    return run["body"]["interior_density"]
-
-
 def figure(found, _published=None):
-    return walls.sweep(found, density, "density of the interior, g/cm³", left=None, scale="log")
+    return walls.sweep(found, "interior_density", "density of the interior, g/cm³", left=None, scale="log")
 
 
 if __name__ == "__main__":

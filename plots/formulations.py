@@ -34,17 +34,17 @@ def way(run):
 
 def by_way(found):
     """{model: {key of LOOKS: converged runs, coarse to fine}}, and how many runs were left out."""
-    runs = records.with_results(found)
+    runs = records.solved(found, "objective", "rays")
     lines = collections.defaultdict(lambda: collections.defaultdict(list))
     left_out = 0
     for run in runs:
-        if not records.converged(run):
+        if not run["converged"]:
             left_out += 1
             continue
         lines[run["model"]][way(run)].append(run)
     for ways in lines.values():
         for line in ways.values():
-            line.sort(key=lambda run: run["domain"]["rays"])
+            line.sort(key=lambda run: run["rays"])
     if not lines:
         raise records.BadRecord("no converged run")
     return lines, left_out
@@ -83,17 +83,16 @@ def finish(fig, panels, note, runs, left_out):
 def draw_panel(axes, model, ways):
     best = {}
     for run in (run for line in ways.values() for run in line):
-        grid = records.grid_text(run)
-        best[grid] = min(best.get(grid, run["objective"]), run["objective"])
+        best[run["grid"]] = min(best.get(run["grid"], run["objective"]), run["objective"])
     axes.set_title(model)
     for key, line in sorted(ways.items(), key=lambda item: list(LOOKS).index(item[0])):
         name, colour, marker = LOOKS[key]
-        x = [records.seconds(run) for run in line]
-        y = [(run["objective"] / best[records.grid_text(run)] - 1) * 100 for run in line]
+        x = [run["seconds"] for run in line]
+        y = [(run["objective"] / best[run["grid"]] - 1) * 100 for run in line]
         axes.plot(x, y, color=colour, marker=marker, markersize=4.5, linewidth=1.3, label=name)
         below = key == "quadric"  # these lie at zero, close together
         for row, (run, at_x, at_y) in enumerate(sorted(zip(line, x, y), key=lambda point: point[1])):
-            axes.annotate(int(max(run["domain"]["grid"])), (at_x, at_y), textcoords="offset points", fontsize=6.5,
+            axes.annotate(max(map(int, run["grid"].split("×"))), (at_x, at_y), textcoords="offset points", fontsize=6.5,
                           xytext=(0, 5 + 7 * (row % 3)) if below else (3, 4), color=colour,
                           ha="center" if below else "left")
     axes.set_xscale("log")

@@ -45,11 +45,11 @@ def looks(fields):
 def draw_column(top, bottom, runs, legend):
     chosen, entries = looks(records.differences(runs))
     legend.update({name: look for name, look in entries.items() if name not in legend})
-    finals = [run["objective"] for run in runs if records.converged(run)]
+    finals = [run["objective"] for run in runs if run["converged"]]
     for run, (colour, dashes) in zip(runs, chosen):
-        history = run["solve"]["history"]
+        history = run["record"]["solve"]["history"]
         top.plot(history[:, ITERATION], history[:, OBJECTIVE], color=colour, linestyle=dashes, linewidth=1.4)
-        top.plot(history[-1, ITERATION], run["objective"], marker="o" if records.converged(run) else "x",
+        top.plot(history[-1, ITERATION], run["objective"], marker="o" if run["converged"] else "x",
                  color=colour, markersize=5, clip_on=False, zorder=4)
         bottom.plot(history[:, ITERATION], np.maximum(history[:, VIOLATION], LEAST), color=colour,
                     linestyle=dashes, linewidth=1.2)
@@ -59,7 +59,7 @@ def draw_column(top, bottom, runs, legend):
         reach = max(0.25 * abs(low), 1.5 * (high - low))
         top.set_ylim(low - 0.2 * reach, low + reach)
         top.axhline(low, color=style.QUIET, linewidth=0.8, zorder=0)
-    top.set_title(f"{runs[0]['model']} {records.grid_text(runs[0])}, {runs[0]['problem']}")
+    top.set_title(f"{runs[0]['model']} {runs[0]['grid']}, {runs[0]['problem']}")
     bottom.set_yscale("log")
     bottom.yaxis.set_major_locator(matplotlib.ticker.LogLocator(numticks=6))
     bottom.minorticks_off()
@@ -67,7 +67,7 @@ def draw_column(top, bottom, runs, legend):
 
 
 def figure(found, _published=None):
-    runs = [run for run in records.with_results(found) if len(run["solve"]["history"])]
+    runs = [run for run in records.solved(found, "objective") if len(run["record"]["solve"]["history"])]
     groups = list(records.by_body(runs, "formulation").values())
     if not groups:
         raise records.BadRecord("no record with a history of iterations")

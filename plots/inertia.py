@@ -18,22 +18,22 @@ def six(moments):
                      -(sxz - sx * sz / s1)])
 
 
-def series_of(run, row):
+def series_of(run):
     """{label: (six numbers, look)}"""
-    before = six(run["body"]["solid"])
+    before = six(run["solid_moments_body"])
     scale = before[2]
     bars = {"solid": (before / scale, dict(color=style.COLOURS[5])),
-            "hollowed": (six(run["solve"]["moments"]) / scale, dict(color=style.BLUE))}
-    if row and "inertia" in row:
-        there = {k: np.array(row["inertia"][k]) for k in ("before", "after")}
+            "hollowed": (six(run["moments_body"]) / scale, dict(color=style.BLUE))}
+    if run["published.inertia"]:
+        there = {k: np.array(run["published.inertia"][k]) for k in ("before", "after")}
         look = dict(facecolor="none", edgecolor=style.INK, linewidth=0.9)
         bars["published, before"] = (there["before"] / there["before"][2], dict(look, hatch="...."))
         bars["published, after"] = (there["after"] / there["before"][2], dict(look, hatch="////"))
     return bars
 
 
-def draw_panel(axes, run, row, title):
-    bars = series_of(run, row)
+def draw_panel(axes, run, title):
+    bars = series_of(run)
     width = 0.8 / len(bars)
     for index, (label, (values, look)) in enumerate(bars.items()):
         axes.bar(np.arange(6) + (index - (len(bars) - 1) / 2) * width, values, width * 0.9, label=label, **look)
@@ -46,21 +46,19 @@ def draw_panel(axes, run, row, title):
 
 
 def figure(found, published=None):
-    runs = records.with_results(found)
-    if not runs:
-        raise records.BadRecord("no record with a result")
+    runs = records.solved(found, "solid_moments_body", "moments_body", "published.inertia", published=published)
     source, printed = records.read_published(published) if published else ("", [])
     titled = []
     for group in records.by_body(runs, "formulation").values():
         for run, fields in zip(group, records.differences(group)):
             own = f", {records.setting_text(fields)}" if fields else ""
-            titled.append((run, f"{run['model']} {records.grid_text(run)}, {run['formulation']}{own}"))
+            titled.append((run, f"{run['model']} {run['grid']}, {run['formulation']}{own}"))
     across = min(len(titled), 2)
     down = -(-len(titled) // across)
     fig, panels = plt.subplots(down, across, squeeze=False, sharey=True,
                                figsize=(5.2 * across + 0.4, 3.1 * down + 1.0))
     for axes, (run, title) in zip(panels.flat, titled):
-        draw_panel(axes, run, records.published_row(printed, run), title)
+        draw_panel(axes, run, title)
     for axes in list(panels.flat)[len(titled):]:
         axes.set_visible(False)
     for row in panels:

@@ -5,18 +5,19 @@ import records
 import style
 from style import plt
 
+THEIRS = "published.rayrep."
 
-def draw_panel(axes, rows, value, there, looks):
-    """rows: {body: [runs]}; value(run) and there(published row) are drawn along x."""
+
+def draw_panel(axes, rows, column, looks):
+    """rows: {body: [(run, setting)]}; a column of theirs is drawn along x, and the paper's."""
     for y, (body, runs) in enumerate(rows.items()):
-        for run, text, row in runs:
+        for run, text in runs:
             colour, marker = looks[text]
-            good = records.converged(run)
-            axes.plot(value(run), y, marker=marker if good else "x", color=colour, markersize=6,
+            axes.plot(run[column], y, marker=marker if run["converged"] else "x", color=colour, markersize=6,
                       linestyle="none", zorder=3)
-        row = next((row for _, _, row in runs if row), None)
-        if row and there(row) is not None:
-            axes.plot(there(row), y, marker="D", markersize=7, markerfacecolor="none", linestyle="none",
+        theirs = next((run[THEIRS + column] for run, _ in runs if run[THEIRS + column] is not None), None)
+        if theirs is not None:
+            axes.plot(theirs, y, marker="D", markersize=7, markerfacecolor="none", linestyle="none",
                       markeredgecolor=style.INK, markeredgewidth=1.1, zorder=4)
     axes.set_ylim(len(rows) - 0.4, -0.6)
     axes.set_yticks(range(len(rows)), [f"{body[0]}\n{body[1]}, {body[2]}" for body in rows], fontsize=8)
@@ -24,27 +25,20 @@ def draw_panel(axes, rows, value, there, looks):
 
 
 def figure(found, published):
-    runs = records.with_results(found)
-    if not runs:
-        raise records.BadRecord("no record with a result")
+    runs = records.solved(found, "variables", THEIRS + "seconds", THEIRS + "variables", published=published)
     source, printed = records.read_published(published)
     texts = {}
     for group in records.by_body(runs, "formulation").values():
         for run, fields in zip(group, records.differences(group)):
             texts[run["path"]] = records.setting_text(fields)
-    rows = {body: [(r, texts[r["path"]], records.published_row(printed, r)) for r in group]
-            for body, group in records.by_body(runs).items()}
+    rows = {body: [(r, texts[r["path"]]) for r in group] for body, group in records.by_body(runs).items()}
     order = [row["model"] for row in printed]
     rows = dict(sorted(rows.items(), key=lambda item: order.index(item[0][0]) if item[0][0] in order else 99))
     looks = {text: (style.COLOURS[i % len(style.COLOURS)], style.MARKERS[i % len(style.MARKERS)])
              for i, text in enumerate(dict.fromkeys(texts.values()))}
     fig, (left, right) = plt.subplots(1, 2, sharey=True, figsize=(9, 0.55 * len(rows) + 1.9))
-
-    def side(field):
-        return lambda row: row.get("rayrep", {}).get(field)
-
-    draw_panel(left, rows, records.seconds, side("seconds"), looks)
-    draw_panel(right, rows, lambda run: int(run["variables"]), side("variables"), looks)
+    draw_panel(left, rows, "seconds", looks)
+    draw_panel(right, rows, "variables", looks)
     style.log_seconds(left)
     left.set_title("seconds of the solve")
     right.set_title("variables")

@@ -3,7 +3,10 @@
 import argparse
 import collections
 import json
+import os
 import pathlib
+import shutil
+import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -18,28 +21,50 @@ def with_results(found):
     return [r for r in found if "error" not in r]
 
 
-def converged(run):
-    return run.get("termination") in ("optimal", "acceptable")
+def bench():
+    """The program: what $KREISEL_BENCH says (`bench report` does), else what is built or installed beside this
+    folder, else of the path."""
+    places = [ROOT / "build" / build / "bench" for build in ("release", "dev")] + [ROOT.parent.parent / "bin" / "bench"]
+    for program in (os.environ.get("KREISEL_BENCH"), *places, shutil.which("bench")):
+        if program and os.access(program, os.X_OK):
+            return str(program)
+    raise BadRecord("no program `bench` to ask for columns, expected $KREISEL_BENCH, a build, or one in the path")
 
 
-def grid_text(run):
-    return "×".join(str(n) for n in run["domain"]["grid"])
+BODY = ("model", "grid", "problem", "formulation")
 
 
-def seconds(run):
-    """Median of the solve, set-up excluded."""
-    return float(run["solve"]["median"][0, 2])
+def columns(found, *names, published=None):
+    """A row a record of `found`: what `bench columns` or the JSON of a record call by these names, and by those of
+    BODY, "converged" and "seconds"; with its path, configuration, provenance, and the record, for arrays."""
+    names = list(dict.fromkeys((*BODY, "converged", "seconds", *names)))
+    command = [bench(), "show", *(str(run["path"]) for run in found), "--columns", ",".join(names), "--json", "-"]
+    if published:
+        command += ["--published", str(published)]
+    asked = subprocess.run(command, capture_output=True, text=True, check=False)
+    if asked.returncode:
+        raise BadRecord(asked.stderr.strip() or f"{command[0]} ended with {asked.returncode}")
+    rows = json.loads(asked.stdout)
+    for row, run in zip(rows, found):
+        row["grid"] = (row["grid"] or "").replace("x", "×")  # none of a run that failed early
+        row.update(config=run["config"], provenance=run["provenance"], record=run)
+    return rows
 
 
-def by_body(found, *keys):
-    """{(model, grid, problem, *keys): runs}, in the order of `found`."""
+def solved(found, *names, published=None):
+    """columns() of the records that have a result."""
+    runs = with_results(found)
+    if not runs:
+        raise BadRecord("no record with a result")
+    return columns(runs, *names, published=published)
+
+
+def by_body(rows, *keys):
+    """{(model, grid, problem, *keys): rows of columns()}, in their order."""
     groups = collections.defaultdict(list)
-    for run in found:
-        groups[(run["model"], grid_text(run), run["problem"], *(run[key] for key in keys))].append(run)
+    for row in rows:
+        groups[tuple(row[key] for key in ("model", "grid", "problem", *keys))].append(row)
     return groups
-
-
-BODY = ("model", "resolution", "problem", "formulation")
 
 
 def differences(runs):
@@ -47,7 +72,7 @@ def differences(runs):
 
     The runs are of one body and formulation; a field that a run leaves at its default is absent.
     """
-    names = {name for run in runs for name in run["config"] if name not in BODY}
+    names = {name for run in runs for name in run["config"] if name not in (*BODY, "resolution")}
     varied = sorted(n for n in names if len({run["config"].get(n) for run in runs}) > 1)
     return [{n.split(".", 1)[-1]: run["config"][n] for n in varied if n in run["config"]} for run in runs]
 
@@ -71,16 +96,6 @@ def read_published(path):
         return str(data["source"]), [dict(row) for row in data["rows"]]
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise BadRecord(f"{path}: not published numbers: {error}") from None
-
-
-def published_row(rows, run):
-    """The row of a run's model, grid and problem, or None; a row without a grid or problem fits every one."""
-    grid = [int(n) for n in run["domain"]["grid"]]
-    for row in rows:
-        if (row.get("model") == run["model"] and row.get("grid", grid) == grid
-                and row.get("problem", run["problem"]) == run["problem"]):
-            return row
-    return None
 
 
 def draw_folder(figure, description, name, published=None, reader=None):

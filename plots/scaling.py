@@ -12,10 +12,10 @@ LEAST = 3  # points of a fit
 
 def exponent(line):
     """(p, factor) of seconds = factor rays^p by least squares of the logarithms, or None for too few points."""
-    rays = np.array([run["domain"]["rays"] for run in line], float)
+    rays = np.array([run["rays"] for run in line], float)
     if len(set(rays)) < LEAST:
         return None
-    p, c = np.polyfit(np.log(rays), np.log([records.seconds(run) for run in line]), 1)
+    p, c = np.polyfit(np.log(rays), np.log([run["seconds"] for run in line]), 1)
     return p, np.exp(c)
 
 
@@ -24,9 +24,9 @@ def draw_panel(axes, model, ways):
     texts = []
     for key, line in sorted(ways.items(), key=lambda item: list(formulations.LOOKS).index(item[0])):
         name, colour, marker = formulations.LOOKS[key]
-        rays = np.array([run["domain"]["rays"] for run in line], float)
+        rays = np.array([run["rays"] for run in line], float)
         fit = exponent(line)
-        axes.plot(rays, [records.seconds(run) for run in line], color=colour, marker=marker, markersize=4.5,
+        axes.plot(rays, [run["seconds"] for run in line], color=colour, marker=marker, markersize=4.5,
                   linewidth=0.8, linestyle="none" if fit else ":", label=name,
                   markerfacecolor="none" if key.endswith(formulations.MUMPS) else colour)
         if fit:

@@ -25,13 +25,13 @@ def draw_pair(times, above, groups, rows, looks):
     for index, (body, runs) in enumerate(groups.items()):
         colour, marker = looks[body[0]]
         shift = (index - (count - 1) / 2) * 0.5 / max(count, 2)
-        finals = [r["objective"] for r in runs if records.converged(r)]
+        finals = [r["objective"] for r in runs if r["converged"]]
         for run, fields in zip(runs, records.differences(runs)):
             y = rows.index(records.setting_text(fields)) + shift
-            good = records.converged(run)
+            good = run["converged"]
             look = dict(color=colour, marker=marker if good else "x", linestyle="none", markersize=5,
                         markerfacecolor=colour if good else "none")
-            times.plot(records.seconds(run), y, **look)
+            times.plot(run["seconds"], y, **look)
             if finals and good:
                 above.plot((run["objective"] / min(finals) - 1) * 100, y, clip_on=False, zorder=3, **look)
     style.log_seconds(times)
@@ -51,9 +51,7 @@ def draw_pair(times, above, groups, rows, looks):
 
 
 def figure(found, _published=None):
-    runs = records.with_results(found)
-    if not runs:
-        raise records.BadRecord("no record with a result")
+    runs = records.solved(found, "objective")
     formulations = list(dict.fromkeys(run["formulation"] for run in runs))
     groups = [records.by_body([r for r in runs if r["formulation"] == f]) for f in formulations]
     rows = [rows_of(group) for group in groups]

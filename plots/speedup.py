@@ -17,7 +17,7 @@ SETTINGS = {
     "exact": ("exact Hessian, lifted", style.BLUE, "o"),
     "limited-memory": ("L-BFGS", style.VERMILION, "s"),
 }
-SECONDS = ("setup", "kernels", "solve", "total")
+SECONDS = ("setup", "kernels", "solve", "total")  # columns of solve/samples
 PUBLISHED = "rayrep_table2"
 
 Point = collections.namedtuple("Point", "cells ratio low high grid")
@@ -37,21 +37,26 @@ def arguments():
 
 def usable(found, device):
     """Converged runs of the two formulations on one device, and how many others were left out."""
-    runs = [r for r in found if r.get("formulation") in ("rayrep", "voxel")]
+    runs = [r for r in records.columns(found, "seconds.solve", "seconds.total", "samples")
+            if r["formulation"] in ("rayrep", "voxel")]
     if device:
         runs = [r for r in runs if device.lower() in r["provenance"]["device"].lower()]
-    kept = [r for r in runs if r.get("termination") in ("optimal", "acceptable") and "error" not in r]
+    kept = [r for r in runs if r["converged"]]
     devices = sorted({r["provenance"]["device"] for r in kept})
     if len(devices) > 1:
         raise records.BadRecord(f"records of several devices ({', '.join(devices)}), expected --device NAME")
     return kept, len(runs) - len(kept)
 
 
+def cells_of(run):
+    return tuple(map(int, run["grid"].split("×")))
+
+
 def problem_of(run):
     """Everything that a pair has in common."""
     own = {k: v for k, v in run["config"].items() if k != "formulation" and "." not in k}
     own["hessian"] = run["config"].get("ipopt.hessian_approximation", "exact")
-    return tuple(sorted(own.items())), tuple(run["domain"]["grid"])
+    return tuple(sorted(own.items())), cells_of(run)
 
 
 def preferred(runs):
@@ -63,10 +68,10 @@ def preferred(runs):
 
 def point(rayrep, voxel, which):
     column = SECONDS.index(which)
-    fast, slow = (r["solve"]["samples"][:, column] for r in (rayrep, voxel))
-    median = voxel["solve"]["median"][0, column] / rayrep["solve"]["median"][0, column]
-    grid = rayrep["domain"]["grid"]
-    return Point(int(max(grid)), median, slow.min() / fast.max(), slow.max() / fast.min(), tuple(grid))
+    fast, slow = (r["record"]["solve"]["samples"][:, column] for r in (rayrep, voxel))
+    median = voxel[f"seconds.{which}"] / rayrep[f"seconds.{which}"]
+    grid = cells_of(rayrep)
+    return Point(max(grid), median, slow.min() / fast.max(), slow.max() / fast.min(), grid)
 
 
 def series(runs, which):
@@ -80,7 +85,7 @@ def series(runs, which):
             continue
         rayrep, voxel = preferred(pair["rayrep"]), preferred(pair["voxel"])
         hessian = rayrep["config"].get("ipopt.hessian_approximation", "exact")
-        key = rayrep["model"], hessian, tuple(rayrep["domain"]["grid"])
+        key = rayrep["model"], hessian, cells_of(rayrep)
         started = rayrep["provenance"]["started"]
         if key in newest:
             print(f"speedup.py: several pairs for {key[0]} {key[2]} {hessian}; the newest is drawn",
@@ -169,7 +174,7 @@ def figure(found, published, device=None, which="solve"):
     if not lines:
         raise records.BadRecord("no two converged runs that differ in the formulation alone")
     source, ratios = published_ratios(published)
-    repeats = sorted({len(r["solve"]["samples"]) for r in used})
+    repeats = sorted({r["samples"] for r in used})
     times = "solve" if which == "solve" else "set-up and solve"
     span = f"{repeats[0]} to {repeats[-1]}" if len(repeats) > 1 else str(repeats[0])
     note = (f"Median seconds of the {times}, voxel over ray-rep, {span} timed solves each; bars span the "

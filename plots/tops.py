@@ -21,29 +21,23 @@ def lowered(run):
     return run["config"].get("problem.lower", "mass")
 
 
-def name(model):
-    return pathlib.Path(model).stem
+RATIO, THEIRS = "verified.omega_reduction", "published.omega_reduction"
 
 
-def ratio(run):
-    return run["verified"]["values"]["omega_reduction"]
-
-
-def by_model(found, paper):
+def by_model(found, published):
     """{model: {what is lowered: run}} of tops whose meshes are at hand and whose weights are the default; of several
-    walls the one whose three ratios come nearest to the paper's. paper: {model: {what is lowered: ratio}}"""
+    walls the one whose three ratios come nearest to the paper's."""
     groups = {}
-    for run in records.with_results(found):
+    for run in records.solved(found, RATIO, THEIRS, published=published):
         plain = "problem.gamma_c" not in run["config"] and "problem.gamma_i" not in run["config"]
-        if run["problem"] == "top" and plain and written(run):
+        if run["problem"] == "top" and plain and written(run["record"]):
             walls = groups.setdefault(run["config"]["model"], {})
             walls.setdefault(run["config"]["wall"], {})[lowered(run)] = run
     best = {}
     for model, walls in groups.items():
         whole = [runs for runs in walls.values() if len(runs) == len(OBJECTIVES)]
         if whole:
-            theirs = paper.get(name(model), {})
-            best[model] = min(whole, key=lambda runs: sum((ratio(runs[k]) - theirs.get(k, 0)) ** 2 for k in OBJECTIVES))
+            best[model] = min(whole, key=lambda runs: sum((run[RATIO] - (run[THEIRS] or 0)) ** 2 for run in runs.values()))
     return best
 
 
@@ -64,21 +58,18 @@ def draw(axes, run):
 
 
 def figure(found, published):
-    paper = {}
-    for row in records.read_published(published)[1] if published else []:
-        if "omega_reduction" in row:
-            paper.setdefault(row["model"], {})[row["settings"]["problem.lower"]] = row["omega_reduction"]
-    groups = by_model(found, paper)
+    groups = by_model(found, published)
     if not groups:
         raise records.BadRecord("no tops with their meshes, expected runs of top that lower none, height and mass")
     picture, axes = plt.subplots(len(groups), 3, figsize=(12, 2.7 * len(groups) + 0.4), squeeze=False)
     for line, (model, runs) in zip(axes, sorted(groups.items(), reverse=True)):
         for ax, (lower, words) in zip(line, OBJECTIVES.items()):
-            draw(ax, runs[lower])
-            theirs = paper.get(name(model), {}).get(lower)
+            run = runs[lower]
+            draw(ax, run["record"])
+            theirs = run[THEIRS]
             beside = f" (paper: {theirs:.2f})" if theirs else ""
-            ax.set_title(f"{words}: {ratio(runs[lower]):.2f} times slower{beside}", fontsize=9)
-            ax.text(0, 0.01, f"{pathlib.Path(model).name}, wall {runs[lower]['config']['wall']}",
+            ax.set_title(f"{words}: {run[RATIO]:.2f} times slower{beside}", fontsize=9)
+            ax.text(0, 0.01, f"{pathlib.Path(model).name}, wall {run['config']['wall']}",
                     transform=ax.transAxes, fontsize=8, color=style.QUIET)
     picture.tight_layout(rect=(0, 0.3 / picture.get_figheight(), 1, 1))
     shown = [run for runs in groups.values() for run in runs.values()]

@@ -115,31 +115,27 @@ void add_bodies(py::module_& m) {
 }
 
 void add_questions(py::module_& m) {
-  py::class_<Question>(m, "Question", "What may be asked of a body. Immutable: replace() gives another.")
+  const std::string doc = doc_of_questions();
+  py::class_<Question> question(m, "Question", doc.c_str());
+  question
       .def(py::init([](const py::object& problem, const py::kwargs& fields) {
              return question_of(problem, fields);
            }),
-           py::arg("problem") = "spin",
-           "Fields: problem, formulation, solver, domain, settings, axis, up, contact, find, stem, tip, "
-           "tip_height, flatten, size, axle, slot, "
-           "axle_depth, density, interior_density, void_density, wall, cells, certify.")
+           py::arg("problem") = "spin", "A problem's name, or a Question; keywords: see the class.")
       .def(
           "replace", [](const Question& q, const py::kwargs& fields) { return replaced(q, fields); },
           "The same but for the fields given.")
-      .def_property_readonly("problem", [](const Question& q) { return q.problem.name; })
-      .def_property_readonly("formulation", [](const Question& q) { return q.formulation.name; })
-      .def_property_readonly("axis", [](const Question& q) { return q.pose.axis; })
-      .def_property_readonly("up", [](const Question& q) { return q.pose.up; })
-      .def_property_readonly("contact", [](const Question& q) { return q.pose.contact; })
-      .def_property_readonly("size", [](const Question& q) { return q.pose.size; })
-      .def_property_readonly("wall",
-                             [](const Question& q) -> py::object {
-                               if (q.domain.wall.empty()) return py::float_(q.domain.wall_mm);
-                               return py::str(q.domain.wall);
-                             })
-      .def_property_readonly("cells", [](const Question& q) { return q.domain.cells; })
+      .def_property_readonly(
+          "cells", [](const Question& q) { return q.domain.cells; },
+          "Along the longest side; or the whole grid, three numbers.")
       .def("__eq__", [](const Question& a, const Question& b) { return a == b; })
       .def("__repr__", &repr_of);
+  for (const QuestionField& field : question_fields())
+    if (field.keyword != "cells")
+      question.def_property_readonly(
+          field.keyword.c_str(),
+          [name = field.name](const Question& q) { return value_of_text(text_of(q, name)); },
+          help_of(field).c_str());
 }
 
 void add_solutions(py::module_& m) {
@@ -259,8 +255,24 @@ void add_sessions(py::module_& m) {
           py::arg("question"), py::arg("axes"), py::arg("centre"))
       .def_property_readonly("made", &Session::made, "The stages that the last question made anew.");
 
-  m.def("verify", &verify, py::arg("files"), py::arg("body"), py::arg("question"),
-        py::call_guard<py::gil_scoped_release>(), "Reads the files of a part again and judges them.");
+  m.def(
+      "verify",
+      [](const std::vector<std::filesystem::path>& files, const Body& body, const py::object& question,
+         const py::kwargs& fields) {
+        const Question asked = question_of(question, fields);
+        const py::gil_scoped_release released;
+        return verify(files, body, asked);
+      },
+      py::arg("files"), py::arg("body"), py::arg("question") = "spin",
+      "Reads the files of a part again and judges them; keywords are fields of Question.");
+  m.def(
+      "question_fields",
+      [] {
+        py::dict all;
+        for (const QuestionField& field : question_fields()) all[py::str(field.keyword)] = help_of(field);
+        return all;
+      },
+      "The keywords of Question, with what each says.");
 }
 
 void add_nests(py::module_& m) {

@@ -1,8 +1,7 @@
 #include "question.hpp"
 
-#include <array>
-#include <map>
-#include <optional>
+#include <charconv>
+#include <sstream>
 
 namespace kreisel::python {
 
@@ -10,32 +9,20 @@ std::string text_of(const py::handle& value) {
   return py::isinstance<py::str>(value) ? value.cast<std::string>() : py::repr(value).cast<std::string>();
 }
 
-std::string field_text(const py::handle& value) {
-  if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value)) {
-    if (py::isinstance<py::str>(value)) return value.cast<std::string>();
-    if (PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr())) return text_of(value);
-    if (py::hasattr(value, "tolist")) return field_text(value.attr("tolist")());
-    return text_of(value);
-  }
+std::string field_text(const py::handle& value, char between) {
+  if (PyFloat_Check(value.ptr())) return text_of(py::float_(value.cast<double>()));  // numpy's repr has more
+  if (py::isinstance<py::str>(value) || PyLong_Check(value.ptr())) return text_of(value);
+  if (py::hasattr(value, "tolist")) return field_text(value.attr("tolist")(), between);
+  if (!py::isinstance<py::sequence>(value)) return text_of(value);
   std::string text;
-  for (const py::handle part : value) text += (text.empty() ? "" : ",") + text_of(part);
+  for (const py::handle part : value) {
+    if (!text.empty()) text += between;
+    text += field_text(part);
+  }
   return text;
 }
 
 namespace {
-
-void set_cells(Question& q, const py::handle& value) {
-  if (py::isinstance<py::int_>(value) || py::hasattr(value, "__index__"))
-    q.domain.cells = {value_of<int>("cells", value, "a whole number, or three"), 0, 0};
-  else
-    q.domain.cells = value_of<std::array<int, 3>>("cells", value, "a whole number, or three");
-}
-
-void set_wall(Question& q, const py::handle& value) {
-  const bool text = py::isinstance<py::str>(value);
-  q.domain.wall = text ? value.cast<std::string>() : "";
-  if (!text) q.domain.wall_mm = value_of<double>("wall", value, "mm, or text: \"2%\", \"1.5h\"");
-}
 
 void set_settings(Question& q, const py::handle& value) {
   q.problem.settings.clear();
@@ -43,86 +30,79 @@ void set_settings(Question& q, const py::handle& value) {
   q.solver.settings.clear();
   for (const auto& [name, text] : value_of<py::dict>("settings", value, "a dict")) {
     const std::string key = name.cast<std::string>();
-    const std::size_t dot = key.find('.');
-    const std::string group = key.substr(0, dot), rest = dot == std::string::npos ? "" : key.substr(dot + 1);
-    if (rest.empty()) throw InputError("settings: '" + key + "'; expected GROUP.NAME, such as problem.draft");
-    if (group == "problem")
-      q.problem.settings[rest] = field_text(text);
-    else if (group == "formulation")
-      q.formulation.settings[rest] = field_text(text);
-    else
-      q.solver.settings[key] = field_text(text);
+    if (key.find('.') == std::string::npos)
+      throw InputError("settings: '" + key + "'; expected GROUP.NAME, such as problem.draft");
+    set_field(q, key, field_text(text));
   }
 }
 
-using Setter = void (*)(Question&, const py::handle&);
-using Optional = std::optional<double>;
+/// None is said of what says nothing by itself.
+void set_keyword(Question& q, const std::string& key, const py::handle& value) {
+  if (key == "settings") return set_settings(q, value);
+  const bool of_cells = key == "cells" || key == "resolution";
+  const bool nothing = value.is_none() && text_of(Question(), key).empty();
+  set_field(q, key, nothing ? "" : field_text(value, of_cells ? 'x' : ','));
+}
 
-const std::map<std::string, Setter>& setters() {
-  using H = const py::handle&;
-  static const std::map<std::string, Setter> all = {
-      {"problem", [](Question& q, H v) { q.problem.name = value_of<std::string>("problem", v, "a name"); }},
-      {"formulation",
-       [](Question& q, H v) { q.formulation.name = value_of<std::string>("formulation", v, "a name"); }},
-      {"solver", [](Question& q, H v) { q.solver.name = value_of<std::string>("solver", v, "a name"); }},
-      {"domain", [](Question& q, H v) { q.domain.kind = value_of<std::string>("domain", v, "a name"); }},
-      {"settings", set_settings},
-      {"axis",
-       [](Question& q, H v) { q.pose.axis = value_of<std::optional<Vec3>>("axis", v, "three numbers"); }},
-      {"up", [](Question& q, H v) { q.pose.up = value_of<std::optional<Vec3>>("up", v, "three numbers"); }},
-      {"contact",
-       [](Question& q, H v) {
-         q.pose.contact = value_of<std::optional<Vec3>>("contact", v, "three numbers, mm");
-       }},
-      {"find",
-       [](Question& q, H v) {
-         q.pose.find = value_of<std::string>("find", v, "text: auto, near:x,y,z or rest:N");
-       }},
-      {"stem", [](Question& q, H v) { q.pose.stem = value_of<Optional>("stem", v, "mm"); }},
-      {"tip", [](Question& q, H v) { q.pose.tip = value_of<Optional>("tip", v, "mm"); }},
-      {"tip_height", [](Question& q, H v) { q.pose.tip_height = value_of<Optional>("tip_height", v, "mm"); }},
-      {"flatten", [](Question& q, H v) { q.pose.flatten = value_of<Optional>("flatten", v, "mm"); }},
-      {"size", [](Question& q, H v) { q.pose.size = value_of<Optional>("size", v, "mm"); }},
-      {"axle", [](Question& q, H v) { q.pose.axle = value_of<Optional>("axle", v, "mm"); }},
-      {"slot", [](Question& q, H v) { q.pose.slot = value_of<Optional>("slot", v, "mm"); }},
-      {"axle_depth", [](Question& q, H v) { q.pose.axle_depth = value_of<Optional>("axle_depth", v, "mm"); }},
-      {"density", [](Question& q, H v) { q.densities.shell = value_of<double>("density", v, "g/cm^3"); }},
-      {"interior_density",
-       [](Question& q, H v) { q.densities.interior = value_of<Optional>("interior_density", v, "g/cm^3"); }},
-      {"void_density",
-       [](Question& q, H v) { q.densities.filling = value_of<double>("void_density", v, "g/cm^3"); }},
-      {"wall", set_wall},
-      {"cells", set_cells},
-      {"certify",
-       [](Question& q, H v) { q.certify = value_of<double>("certify", v, "a gap, such as 1e-3"); }},
-  };
-  return all;
+/// All of it; None where it is none.
+py::object number_of(const std::string& text) {
+  double value{};
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || rest != end) return py::none();
+  const bool whole = text.find_first_not_of("-0123456789") == std::string::npos;
+  return whole ? py::object(py::int_(static_cast<long long>(value))) : py::object(py::float_(value));
 }
 
 }  // namespace
 
 Question replaced(Question question, const py::kwargs& fields) {
-  // Settings of what is replaced go with it, ahead of those that are given.
-  if (fields.contains("problem")) question.problem.settings.clear();
+  // Settings of what is replaced go with it, ahead of those that are given; the problem is what others go by.
+  if (fields.contains("problem")) {
+    question.problem.settings.clear();
+    set_keyword(question, "problem", fields["problem"]);
+  }
   if (fields.contains("formulation")) question.formulation.settings.clear();
   if (fields.contains("solver")) question.solver.settings.clear();
-  for (const auto& [key, value] : fields) {
-    const auto setter = setters().find(key.cast<std::string>());
-    if (setter == setters().end()) {
-      std::string names;
-      for (const auto& [name, unused] : setters()) names += (names.empty() ? "" : ", ") + name;
-      throw InputError("question: no field '" + key.cast<std::string>() + "'; expected one of: " + names);
-    }
-    setter->second(question, value);
-  }
+  if (fields.contains("settings")) set_settings(question, fields["settings"]);
+  for (const auto& [key, value] : fields)
+    if (const auto name = key.cast<std::string>(); name != "problem" && name != "settings")
+      set_keyword(question, name, value);
   return question;
 }
 
 Question question_of(const py::object& asked, const py::kwargs& fields) {
   if (py::isinstance<Question>(asked)) return replaced(asked.cast<Question>(), fields);
   Question question;
-  question.problem.name = value_of<std::string>("problem", asked, "a name, or a Question");
+  set_field(question, "problem", value_of<std::string>("problem", asked, "a name, or a Question"));
   return replaced(std::move(question), fields);
+}
+
+py::object value_of_text(const std::string& text) {
+  if (text.empty()) return py::none();
+  if (py::object number = number_of(text); !number.is_none()) return number;
+  std::vector<double> numbers;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const py::object number = number_of(part);
+    if (number.is_none()) return py::str(text);
+    numbers.push_back(number.cast<double>());
+  }
+  return py::array_t<double>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+}
+
+std::string doc_of_questions() {
+  std::string doc =
+      "What may be asked of a body. Immutable: replace() gives another.\n\n"
+      "Keywords, each a number, text, or a sequence:\n"
+      "    settings: a dict of what has no keyword, GROUP.NAME: {'ipopt.max_iter': 500}\n";
+  for (const QuestionField& field : question_fields())
+    doc += "    " + field.keyword + ": " + help_of(field) + "\n";
+  return doc;
+}
+
+std::string help_of(const QuestionField& field) {
+  return (field.unit.empty() ? "" : "[" + field.unit + "] ") + field.help;
 }
 
 std::string repr_of(const Question& q) {

@@ -18,10 +18,7 @@ namespace kreisel::core {
 namespace {
 
 [[noreturn]] void unknown(const std::string& name) {
-  std::vector<std::string_view> names;
-  for (const Model& m : models()) names.push_back(m.name);
-  for (const DebianMesh& m : debian_meshes()) names.push_back(m.name);
-  const std::string meant = nearest(name, names);
+  const std::string meant = nearest(name, shape_names());
   throw InputError(fmt::format(
       "model '{}' is neither a known name nor a file{}; expected a name of `bench list`, or a mesh file",
       name, meant.empty() ? "" : fmt::format(" (did you mean '{}'?)", meant)));
@@ -65,6 +62,13 @@ void require_weld_wanted(const BodySpec& spec) {
 }
 
 }  // namespace
+
+std::vector<std::string> shape_names() {
+  std::vector<std::string> names;
+  for (const Model& m : models()) names.emplace_back(m.name);
+  for (const DebianMesh& m : debian_meshes()) names.emplace_back(m.name);
+  return names;
+}
 
 std::filesystem::path models_folder() {
   const char* given = std::getenv("KREISEL_MODELS");

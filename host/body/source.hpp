@@ -48,6 +48,9 @@ struct Source {
 /// current folder.
 [[nodiscard]] std::filesystem::path models_folder();
 
+/// Every name that a shape has without a file: models() and debian_meshes().
+[[nodiscard]] std::vector<std::string> shape_names();
+
 /// Whether the name is that of a mesh file which is neither there, seen from the current folder, nor in
 /// models_folder(). False for the name of a model.
 [[nodiscard]] bool is_absent_file(const std::string& model);

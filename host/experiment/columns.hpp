@@ -14,6 +14,7 @@ namespace kreisel::core {
 /// A column that is more than a value of a summary: worked out, or shown in a way of its own.
 struct Column {
   std::string_view name, heading;
+  std::string_view unit;         ///< empty: text, or a number without unit
   bool left = false;             ///< aligned so
   std::string_view format = {};  ///< of fmt, such as ".2f"; empty: the value's own
   nlohmann::json (*value)(const RecordedRun& run);

@@ -141,15 +141,11 @@ class RayRep final : public Formulation {
 
 Fields<RayRepSettings> rayrep_fields() {
   using namespace field_text;
-  static const Words<std::optional<RayBounds>> bounds = {{"midpoint", RayBounds::midpoint},
-                                                         {"ordered", RayBounds::ordered}};
-  static const Words<bool> units = {{"cell", true}, {"body", false}};
-  return {{"bounds", "", "of both ends of a segment: midpoint or ordered; default as the problem fills rays",
-           [](auto& s, auto k, auto v) { s.bounds = word(bounds, k, v); },
-           [](auto& s) { return word_for(bounds, s.bounds); }},
-          {"unit", "", "of the ends: cell (default) or body",
-           [](auto& s, auto k, auto v) { s.cell_unit = word(units, k, v); },
-           [](auto& s) { return word_for(units, s.cell_unit); }}};
+  return {one_of<RayRepSettings>(
+              "bounds", "of both ends of a segment: midpoint or ordered; default as the problem fills rays",
+              {"midpoint", "ordered"}, [](auto& s) -> auto& { return s.bounds; }),
+          one_of<RayRepSettings>("unit", "of the ends: cell (default) or body", {"body", "cell"},
+                                 [](auto& s) -> auto& { return s.cell_unit; })};
 }
 
 std::unique_ptr<Formulation> make_rayrep(const Columns& domain, const Traits& traits,

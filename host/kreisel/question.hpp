@@ -5,7 +5,9 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "kreisel/export.hpp"
 #include "kreisel/mesh.hpp"
 
 namespace kreisel {
@@ -63,8 +65,29 @@ struct Question {
   Choice problem = {"spin"}, formulation = {"quadric"};
   Choice solver = {""};  ///< empty: the first that works with the formulation
   double certify = 0;    ///< relative gap to prove between result and bound; 0: no certificate
+  /// What no member above says, applied after them: text by name of a field, as set_field() takes it.
+  std::map<std::string, std::string> fields = {};
 
   bool operator==(const Question&) const = default;
 };
+
+/// A field of `bench fields solve` that a question has, or a word of the library's own.
+struct QuestionField {
+  std::string name;     ///< as TOML and records call it: axle-depth, problem.draft
+  std::string keyword;  ///< as a language calls it: axle_depth, draft
+  std::string unit;     ///< of its value, or what that looks like; empty: text, or a number without unit
+  std::string help;
+};
+
+[[nodiscard]] KREISEL_API const std::vector<QuestionField>& question_fields();
+
+/// Sets a field by its name or keyword, or a setting GROUP.NAME: the member that can say it, else `fields`.
+/// @param text  as `bench` takes it: "1.5h", "0,0,1", "auto"; empty: as if it had never been said
+/// @throws InputError  no such field, says the nearest; a value that does not fit, with what was expected
+KREISEL_API void set_field(Question& question, const std::string& name, const std::string& text);
+
+/// The text of a field as the question asks it; empty: it says nothing.
+/// @throws InputError  no such field; a question that does not fit
+[[nodiscard]] KREISEL_API std::string text_of(const Question& question, const std::string& name);
 
 }  // namespace kreisel

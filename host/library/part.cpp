@@ -61,6 +61,8 @@ std::vector<std::filesystem::path> Part::write(const std::filesystem::path& file
 Verdict verify(const std::vector<std::filesystem::path>& files, const Body& body, const Question& question) {
   if (files.empty()) throw InputError("no files to verify; expected those of a part");
   const core::RunConfig config = core::config_of(question);
+  if (config.free || config.flatten)
+    throw InputError("a part in a pose that is to be found; expected the question of its solution");
   const core::ProblemEntry& asked = core::find_problem(config.problem);
   const core::Body solid = core::make_body(asked.posed(config.body), *body.state_);
   const auto problem = asked.make(core::problem_settings(config), solid);

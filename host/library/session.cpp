@@ -96,9 +96,17 @@ Session& Session::operator=(Session&&) noexcept = default;
 
 namespace {
 
+/// Members say how it lies, and nothing else does.
+void forget_direction(Question& question) {
+  question.pose.find.clear();
+  for (const char* name : {"axis", "up", "contact", "axis-through"}) question.fields.erase(name);
+}
+
 /// The question in the pose that was found for it.
 Question in_pose(Question question, const core::RunConfig& found) {
-  question.pose.find.clear();
+  forget_direction(question);
+  question.fields.erase("stem");
+  question.fields.erase("flatten");
   question.pose.axis = found.body.axis;
   question.pose.up = found.body.up;
   question.pose.contact = found.body.contact;
@@ -191,8 +199,9 @@ Map Session::map(const Question& question, int axes, bool centre, const Control&
   core::MapSpec spec = core::map_spec(run);
   // A question asks for one case: as it says, or as its problem has it.
   if (const auto& cases = core::find_problem(run.problem).map; cases && !cases->setting.empty()) {
-    const auto given = question.problem.settings.find(cases->setting);
-    spec.drafts = {given == question.problem.settings.end() ? cases->usual : given->second};
+    const auto settings = core::settings_of(run, "problem");
+    const auto given = settings.find(cases->setting);
+    spec.drafts = {given == settings.end() ? cases->usual : given->second};
   }
   const core::OrientationMap found =
       state_->asked([&] { return core::map_orientations(state_->session, spec, control); });
@@ -214,6 +223,7 @@ const std::vector<std::string>& Session::made() const { return state_->made; }
 
 Question Map::question(std::size_t i) const {
   Question one = asked;
+  forget_direction(one);
   const bool upright = core::find_problem(one.problem.name).upright;
   (upright ? one.pose.up : one.pose.axis) = axes.at(i);
   (upright ? one.pose.axis : one.pose.up) = std::nullopt;

@@ -36,15 +36,11 @@ template <class Options>
           [](auto& o, auto k, auto v) { o.gamma_i = field_text::positive(k, v); },
           [](auto& o) { return field_text::number_text(o.gamma_i); }};
 }
-[[nodiscard]] inline const field_text::Words<SpinForm>& spin_forms() {
-  static const field_text::Words<SpinForm> all = {{"trace", SpinForm::trace}, {"angle", SpinForm::angle}};
-  return all;
-}
 template <class Options>
 [[nodiscard]] Field<Options> form_field() {
-  return {"form", "", "how the lateral moments enter: trace (default) [SpinIt 2017] or angle [2014]",
-          [](auto& o, auto k, auto v) { o.form = field_text::word(spin_forms(), k, v); },
-          [](auto& o) { return field_text::word_for(spin_forms(), o.form); }};
+  return field_text::one_of<Options>(
+      "form", "how the lateral moments enter: trace (default) [SpinIt 2017] or angle [2014]",
+      {"trace", "angle"}, [](auto& o) -> auto& { return o.form; });
 }
 
 /// Minimise SpinWeights subject to sx = sy = 0, sxz = syz = 0, and what a kind of it adds.

@@ -165,16 +165,14 @@ Verdict MaxTilt::verify(const Moments& s, double length_mm) const {
 
 namespace {
 
-const field_text::Words<StandTarget> targets = {
-    {"centre", StandTarget::centre}, {"inside", StandTarget::inside}, {"max-tilt", StandTarget::max_tilt}};
+const std::vector<std::string_view> targets = {"centre", "inside", "max-tilt"};
 
 }  // namespace
 
 Fields<StandSettings> stand_fields() {
   using namespace field_text;
-  return {{"target", "", "centre, inside or max-tilt; default centre, of design max-tilt",
-           [](auto& s, auto k, auto v) { s.target = word(targets, k, v); },
-           [](auto& s) { return word_for(targets, s.target); }},
+  return {one_of<StandSettings>("target", "centre, inside or max-tilt; default centre, of design max-tilt",
+                                targets, [](auto& s) -> auto& { return s.target; }),
           {"margin", "mm", "from the edge of the base, of target = inside; default 1 % of the body's length",
            [](auto& s, auto k, auto v) {
              s.margin_mm = number_where(k, v, "millimetres >= 0", [](double mm) { return mm >= 0; });
@@ -192,7 +190,7 @@ std::unique_ptr<Problem> make_stand(const Settings& settings, const Body& body) 
   const auto& [target, margin_mm, tolerance] = settings_as<StandSettings>(settings);
   if (margin_mm && target != StandTarget::inside)
     throw InputError(fmt::format("problem.margin = {} for target {}; expected target = inside", *margin_mm,
-                                 field_text::word_for(targets, target)));
+                                 targets[static_cast<std::size_t>(target)]));
   const Box box = bounding_box(body.local);
   Base base{tolerance ? support_polygon(body, *tolerance) : resting_polygon(body), box.lo[2],
             box.extent()[2]};

@@ -15,9 +15,6 @@ SpinWeights weights_of(const TopOptions& o) {
           .gamma_i = o.gamma_i};
 }
 
-const field_text::Words<Lower> lowered = {
-    {"mass", Lower::mass}, {"height", Lower::height}, {"none", Lower::none}};
-
 }  // namespace
 
 Top::Top(const TopOptions& options, const std::optional<Moments>& solid)
@@ -39,9 +36,9 @@ Verdict Top::verify(const Moments& s, double length_mm) const {
 
 Fields<TopOptions> top_fields() {
   using namespace field_text;
-  return {{"lower", "", "what is lowered beside the inertia ratio: mass (default), height or none",
-           [](auto& o, auto k, auto v) { o.lower = word(lowered, k, v); },
-           [](auto& o) { return word_for(lowered, o.lower); }},
+  return {one_of<TopOptions>("lower",
+                             "what is lowered beside the inertia ratio: mass (default), height or none",
+                             {"mass", "height", "none"}, [](auto& o) -> auto& { return o.lower; }),
           {"gamma_c", "", "weight of what is lowered; default 1",
            [](auto& o, auto k, auto v) { o.gamma_c = not_negative(k, v); },
            [](auto& o) { return number_text(o.gamma_c); }},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "body/source.hpp"
 #include "nest/search/baseline.hpp"
 #include "run/nest_config.hpp"
 #include "settings/field_text.hpp"
@@ -73,40 +74,49 @@ std::string text_of_balls(const std::vector<nest::KeepOut>& balls) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
+/// Of enumerators, which are counted from 0.
+template <class Enum>
+Choices words_until(Enum last) {
+  return [last] {
+    std::vector<std::string> words;
+    for (int i = 0; i <= static_cast<int>(last); ++i) words.emplace_back(to_string(static_cast<Enum>(i)));
+    return words;
+  };
+}
+
 /// Which shapes.
 Fields<NestShapes> shape_fields() {
   return grouped<NestShapes>(
-      "shapes",
-      {{"outer", "", "the shape outside: a name of `bench list`, or a mesh file",
-        [](NestShapes& c, S, S v) { c.outer = v; }, [](const NestShapes& c) { return c.outer; },
-        Identity::changed, 1, true},
-       {"inner", "", "the shape inside; default the outer one", [](NestShapes& c, S, S v) { c.inner = v; },
-        [](const NestShapes& c) { return c.inner == c.outer ? "" : c.inner; }, Identity::changed, 1, true},
-       {"outer-size", "", "longest side of the outer shape; default as its file has it",
-        [](NestShapes& c, S n, S v) { c.outer_size = positive(n, v); },
-        [](const NestShapes& c) { return text_of_number(c.outer_size); }},
-       {"inner-size", "",
-        "longest side of the inner shape, which scales count from; default as its file has it",
-        [](NestShapes& c, S n, S v) { c.inner_size = positive(n, v); },
-        [](const NestShapes& c) { return text_of_number(c.inner_size); }},
-       {"fineness", "", "of a parametric model: about 20 n^2 triangles",
-        [](NestShapes& c, S n, S v) { c.fineness = whole(n, v, 1); },
-        [](const NestShapes& c) { return text_of_number(c.fineness); }}});
+      "shapes", {chosen_from<NestShapes>(
+                     shape_names, {"outer", "", "the shape outside: a name of `bench list`, or a mesh file",
+                                   [](NestShapes& c, S, S v) { c.outer = v; },
+                                   [](const NestShapes& c) { return c.outer; }, Identity::changed, 1, true}),
+                 chosen_from<NestShapes>(
+                     shape_names, {"inner", "", "the shape inside; default the outer one",
+                                   [](NestShapes& c, S, S v) { c.inner = v; },
+                                   [](const NestShapes& c) { return c.inner == c.outer ? "" : c.inner; },
+                                   Identity::changed, 1, true}),
+                 {"outer-size", "", "longest side of the outer shape; default as its file has it",
+                  [](NestShapes& c, S n, S v) { c.outer_size = positive(n, v); },
+                  [](const NestShapes& c) { return text_of_number(c.outer_size); }},
+                 {"inner-size", "",
+                  "longest side of the inner shape, which scales count from; default as its file has it",
+                  [](NestShapes& c, S n, S v) { c.inner_size = positive(n, v); },
+                  [](const NestShapes& c) { return text_of_number(c.inner_size); }},
+                 {"fineness", "", "of a parametric model: about 20 n^2 triangles",
+                  [](NestShapes& c, S n, S v) { c.fineness = whole(n, v, 1); },
+                  [](const NestShapes& c) { return text_of_number(c.fineness); }}});
 }
 
 /// What is kept, and where it is computed.
 Fields<NestShapes> keeping_fields() {
   return grouped<NestShapes>(
-      "device",
-      {{"keep-shapes", "", "yes: the record holds the meshes, for plots/nest_picture.py; default no",
-        [](NestShapes& c, S n, S v) {
-          if (v != "yes" && v != "no") refuse(n, v, "yes or no");
-          c.keep_shapes = v == "yes";
-        },
-        [](const NestShapes& c) { return std::string(c.keep_shapes ? "yes" : "no"); }},
-       {"device", "", "index or part of a name; default KREISEL_DEVICE, else a GPU, else PoCL",
-        [](NestShapes& c, S, S v) { c.device = v; }, [](const NestShapes& c) { return c.device; },
-        Identity::none}});
+      "device", {one_of<NestShapes>(
+                     "keep-shapes", "yes: the record holds the meshes, for plots/nest_picture.py; default no",
+                     {"no", "yes"}, [](auto& c) -> auto& { return c.keep_shapes; }),
+                 {"device", "", "index or part of a name; default KREISEL_DEVICE, else a GPU, else PoCL",
+                  [](NestShapes& c, S, S v) { c.device = v; }, [](const NestShapes& c) { return c.device; },
+                  Identity::none}});
 }
 
 /// How the inner shape is turned, and the cut.
@@ -143,21 +153,23 @@ Fields<NestPlace> place_fields() {
 /// What decides.
 Fields<NestDecision> decision_fields() {
   return grouped<NestDecision>(
-      "decision", {{"variant", "", "what decides: peel, envelope, exact or hybrid (default)",
-                    [](NestDecision& c, S, S v) {
-                      nest::require_test(v);
-                      c.variant = v;
-                    },
-                    [](const NestDecision& c) { return c.variant; }},
-                   {"resolution", "", "pixels along a side of a view of peel and envelope; default 512",
-                    [](NestDecision& c, S n, S v) { c.resolution = integer(n, v); },
-                    [](const NestDecision& c) { return text_of_number(c.resolution); }},
-                   {"upper", "", "largest scale to look at; default what can fit",
-                    [](NestDecision& c, S n, S v) { c.upper = number(n, v); },
-                    [](const NestDecision& c) { return text_of_number(c.upper); }},
-                   {"tolerance", "", "of the scale that is searched; default 1e-4",
-                    [](NestDecision& c, S n, S v) { c.tolerance = number(n, v); },
-                    [](const NestDecision& c) { return text_of_number(c.tolerance); }}});
+      "decision",
+      {chosen_from<NestDecision>([] { return nest::feasibility_tests(); },
+                                 {"variant", "", "what decides: peel, envelope, exact or hybrid (default)",
+                                  [](NestDecision& c, S, S v) {
+                                    nest::require_test(v);
+                                    c.variant = v;
+                                  },
+                                  [](const NestDecision& c) { return c.variant; }}),
+       {"resolution", "", "pixels along a side of a view of peel and envelope; default 512",
+        [](NestDecision& c, S n, S v) { c.resolution = integer(n, v); },
+        [](const NestDecision& c) { return text_of_number(c.resolution); }},
+       {"upper", "", "largest scale to look at; default what can fit",
+        [](NestDecision& c, S n, S v) { c.upper = number(n, v); },
+        [](const NestDecision& c) { return text_of_number(c.upper); }},
+       {"tolerance", "", "of the scale that is searched; default 1e-4",
+        [](NestDecision& c, S n, S v) { c.tolerance = number(n, v); },
+        [](const NestDecision& c) { return text_of_number(c.tolerance); }}});
 }
 
 /// What is free, and how long it is searched.
@@ -188,15 +200,16 @@ Fields<NestSearch> free_fields() {
 Fields<NestSearch> swarm_fields() {
   return grouped<NestSearch>(
       "swarm",
-      {{"swarm", "", "basic, hybrid or hybrid+abort (default)",
-        [](NestSearch& c, S, S v) {
-          if (nest::is_baseline(v))
-            (void)nest::find_baseline(v);
-          else
-            nest::require_variant(v);
-          c.swarm = v;
-        },
-        [](const NestSearch& c) { return c.swarm; }},
+      {chosen_from<NestSearch>(words_of(nest::variants()),
+                               {"swarm", "", "basic, hybrid or hybrid+abort (default)",
+                                [](NestSearch& c, S, S v) {
+                                  if (nest::is_baseline(v))
+                                    (void)nest::find_baseline(v);
+                                  else
+                                    nest::require_variant(v);
+                                  c.swarm = v;
+                                },
+                                [](const NestSearch& c) { return c.swarm; }}),
        {"particles", "", "of all swarms together; default 200",
         [](NestSearch& c, S n, S v) { c.search.swarm.particles = integer(n, v); },
         [](const NestSearch& c) { return text_of_number(c.search.swarm.particles); }},
@@ -210,12 +223,16 @@ Fields<NestSearch> swarm_fields() {
           c.search.swarm.seed = *seed;
         },
         [](const NestSearch& c) { return fmt::format("{}", c.search.swarm.seed); }},
-       {"topology", "", "whose best draws a particle: global, ring, von-neumann (default) or random",
-        [](NestSearch& c, S, S v) { c.search.swarm.topology = nest::parse_topology(v); },
-        [](const NestSearch& c) { return std::string(to_string(c.search.swarm.topology)); }},
-       {"momentum", "", "of particles: constant, decreasing or constriction (default)",
-        [](NestSearch& c, S, S v) { c.search.swarm.momentum = nest::parse_momentum(v); },
-        [](const NestSearch& c) { return std::string(to_string(c.search.swarm.momentum)); }},
+       chosen_from<NestSearch>(
+           words_until(nest::Topology::random),
+           {"topology", "", "whose best draws a particle: global, ring, von-neumann (default) or random",
+            [](NestSearch& c, S, S v) { c.search.swarm.topology = nest::parse_topology(v); },
+            [](const NestSearch& c) { return std::string(to_string(c.search.swarm.topology)); }}),
+       chosen_from<NestSearch>(
+           words_until(nest::Momentum::constriction),
+           {"momentum", "", "of particles: constant, decreasing or constriction (default)",
+            [](NestSearch& c, S, S v) { c.search.swarm.momentum = nest::parse_momentum(v); },
+            [](const NestSearch& c) { return std::string(to_string(c.search.swarm.momentum)); }}),
        {"inertia", "",
         "part of its velocity that a particle keeps at constant or decreasing momentum; default 0.98",
         [](NestSearch& c, S n, S v) { c.search.swarm.inertia = number(n, v); },
@@ -235,10 +252,13 @@ Fields<NestSearch> swarm_fields() {
 Fields<NestSearch> climb_fields() {
   return grouped<NestSearch>(
       "swarm",
-      {{"placing", "",
-        "first positions: lattice (default) or random, deep inside the outer shape; or anywhere in its box",
-        [](NestSearch& c, S, S v) { c.search.swarm.placing = nest::parse_placing(v); },
-        [](const NestSearch& c) { return std::string(to_string(c.search.swarm.placing)); }},
+      {chosen_from<NestSearch>(
+           words_until(nest::Placing::lattice),
+           {"placing", "",
+            "first positions: lattice (default) or random, deep inside the outer shape; or anywhere in its "
+            "box",
+            [](NestSearch& c, S, S v) { c.search.swarm.placing = nest::parse_placing(v); },
+            [](const NestSearch& c) { return std::string(to_string(c.search.swarm.placing)); }}),
        {"first-speed", "", "first velocities, as a part of the way to another position; default 0.5",
         [](NestSearch& c, S n, S v) { c.search.swarm.first_speed = number(n, v); },
         [](const NestSearch& c) { return text_of_number(c.search.swarm.first_speed); }},
@@ -287,9 +307,11 @@ Fields<NestLayers> layer_fields() {
       {{"layers", "", "put a shape into the one outside it this often, or until nothing fits; with --free",
         [](NestLayers& c, S n, S v) { c.layers = whole(n, v, 1); },
         [](const NestLayers& c) { return text_of_number(c.layers); }},
-       {"within", "", "of layers: shapes inside the inner one, the outermost first",
-        [](NestLayers& c, S, S v) { c.within = split_words(v); },
-        [](const NestLayers& c) { return joined_words(c.within); }, Identity::changed, 0, true},
+       chosen_from<NestLayers>(
+           shape_names,
+           {"within", "", "of layers: shapes inside the inner one, the outermost first",
+            [](NestLayers& c, S, S v) { c.within = split_words(v); },
+            [](const NestLayers& c) { return joined_words(c.within); }, Identity::changed, 0, true}),
        {"printer-accuracy", "mm", "of layers: how far a printed surface may be off, mm; default 0",
         [](NestLayers& c, S n, S v) { c.tolerances.accuracy = at_least_0(n, v); },
         [](const NestLayers& c) { return text_of_number(c.tolerances.accuracy); }},

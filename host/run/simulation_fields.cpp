@@ -30,9 +30,15 @@ double above_0(S name, S value) {
 Fields<SimulationSpec> make_motion_fields() {
   return grouped<SimulationSpec>(
       "motion",
-      {{"touch", "", "how it touches the ground: gliding (default), held or free (default of yoyo)",
-        [](M m, S k, S v) { m.contact = contact_of(k, v); },
-        [](ConstM m) { return m.contact ? std::string(name_of(*m.contact)) : ""; }},
+      {chosen_from<SimulationSpec>(
+           [] {
+             std::vector<std::string> names;
+             for (const auto& [contact, text] : contacts) names.emplace_back(text);
+             return names;
+           },
+           {"touch", "", "how it touches the ground: gliding (default), held or free (default of yoyo)",
+            [](M m, S k, S v) { m.contact = contact_of(k, v); },
+            [](ConstM m) { return m.contact ? std::string(name_of(*m.contact)) : ""; }}),
        {"omega", "rpm", "default a tenth above the least from which the part is stable",
         [](M m, S k, S v) { m.spin.rpm = above_0(k, v); },
         [](ConstM m) { return m.spin.rpm > 0 ? fmt::format("{}", m.spin.rpm) : ""; }},
@@ -41,12 +47,9 @@ Fields<SimulationSpec> make_motion_fields() {
         [](ConstM m) { return fmt::format("{}", m.spin.tilt_degrees); }},
        {"seconds", "s", "to simulate; default 10", [](M m, S k, S v) { m.spin.seconds = above_0(k, v); },
         [](ConstM m) { return fmt::format("{}", m.spin.seconds); }},
-       {"scan", "", "yes: over a hundred speeds, too; default no",
-        [](M m, S k, S v) {
-          if (v != "yes" && v != "no") refuse(k, v, "yes or no");
-          m.scan = v == "yes";
-        },
-        [](ConstM m) { return std::string(m.scan ? "yes" : "no"); }}});
+       one_of<SimulationSpec>(
+           "scan", "yes: over a hundred speeds, too; default no", {"no", "yes"},
+           [](auto& m) -> auto& { return m.scan; })});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "error.hpp"
 #include "formulation/formulation.hpp"
@@ -70,6 +71,19 @@ SettingTexts settings_of(const Asked& asked, std::string_view group) {
 
 Settings problem_settings(const Asked& asked) {
   return find_problem(asked.problem).read(settings_of(asked, "problem"));
+}
+
+std::vector<std::string> setting_names(const std::vector<std::string_view>& groups) {
+  std::set<std::string> names;
+  const auto add = [&](std::string_view group, const SettingTable& table) {
+    if (std::ranges::find(groups, group) != groups.end())
+      for (const Field<Settings>& field : table.fields()) names.insert(fmt::format("{}.{}", group, field.name));
+  };
+  for (const ProblemEntry& problem : problems()) add("problem", problem.settings);
+  for (const FormulationEntry& formulation : formulations()) add("formulation", formulation.settings);
+  add("solver", solver_settings());
+  for (const SolverEntry& solver : solvers()) add(solver.name, solver.settings);
+  return {names.begin(), names.end()};
 }
 
 void require_setting(const Asked& asked, std::string_view key, const std::string& value) {

@@ -27,6 +27,7 @@ enum class Part { none, written };
 /// through the solid's centre of mass, on a peg as long as it takes to touch the ground at the lowest point's
 /// height.
 enum class Through { lowest, centre };
+inline const std::vector<std::string_view> ways_through = {"lowest", "centre"};  ///< by their numbers
 
 /// A pose that is to be found: of the problem's own direction, axis or up. [docs/poses.md]
 struct FreePose {
@@ -104,6 +105,9 @@ void set_field(RunConfig& config, std::string_view key, std::string_view value);
 /// Those of the problem, as it reads them. @throws InputError  an unknown setting, or a value that does not
 /// fit
 [[nodiscard]] Settings problem_settings(const Asked& asked);
+
+/// Every setting GROUP.NAME of these groups, of whichever problem, formulation or solver.
+[[nodiscard]] std::vector<std::string> setting_names(const std::vector<std::string_view>& groups);
 
 /// Looks at a setting GROUP.NAME of whom it is for, or at all that are there, ahead of any work.
 /// @throws InputError  an unknown setting, or a value that does not fit

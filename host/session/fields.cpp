@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <deque>
 
+#include "body/source.hpp"
 #include "error.hpp"
 #include "formulation/formulation.hpp"
 #include "parse.hpp"
@@ -21,6 +22,8 @@ using ConstA = const Asked&;
 using C = RunConfig&;
 using ConstC = const RunConfig&;
 using S = std::string_view;
+
+const std::vector<S> domains = {"columns", "exact"};
 
 GridSpec grid(S key, S value) {
   GridSpec spec;
@@ -90,17 +93,18 @@ std::string direction_text(ConstA asked, const std::optional<Vec3>& direction, b
 Fields<Asked> shape_fields() {
   return grouped<Asked>(
       "pose and material",
-      {{"axis-through", "",
-        "where an axis that is found runs: lowest (point along it) or centre (of mass, on a stem); default "
-        "lowest, else centre",
-        [](A a, S k, S v) {
-          if (v != "lowest" && v != "centre") refuse(k, v, "lowest or centre");
-          free_pose_of(a).through = v == "centre" ? Through::centre : Through::lowest;
-        },
-        [](ConstA a) {
-          if (!a.free || !a.free->through) return std::string();
-          return std::string(*a.free->through == Through::centre ? "centre" : "lowest");
-        }},
+      {chosen_from<Asked>(
+           words_of(ways_through),
+           {"axis-through", "",
+            "where an axis that is found runs: lowest (point along it) or centre (of mass, on a stem); "
+            "default lowest, else centre",
+            [](A a, S k, S v) {
+              free_pose_of(a).through = static_cast<Through>(word_of(k, v, ways_through));
+            },
+            [](ConstA a) {
+              if (!a.free || !a.free->through) return std::string();
+              return std::string(ways_through[static_cast<std::size_t>(*a.free->through)]);
+            }}),
        {"stem", "mm", "radius of a peg to spin on, along the axis down to the lowest point's height",
         [](A a, S k, S v) { a.body.stem.radius = number(k, v); },
         [](ConstA a) { return number_text(a.body.stem.radius); }},
@@ -130,12 +134,16 @@ Fields<Asked> shape_fields() {
 Fields<Asked> body_fields() {
   return grouped<Asked>(
       "body",
-      {{"model", "", "a name of `bench list`, or a mesh file (STL, 3MF, OBJ, PLY, OFF); default ellipsoid",
-        [](A a, S, S v) { a.body.model = v; }, [](ConstA a) { return a.body.model; }, Identity::always, 1,
-        true},
-       {"unit", "", "of an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm",
-        [](A a, S, S v) { a.body.unit = find_length_unit(v); },
-        [](ConstA a) { return a.body.unit ? std::string(a.body.unit->name) : ""; }},
+      {chosen_from<Asked>(
+           shape_names,
+           {"model", "",
+            "a name of `bench list`, or a mesh file (STL, 3MF, OBJ, PLY, OFF); default ellipsoid",
+            [](A a, S, S v) { a.body.model = v; }, [](ConstA a) { return a.body.model; }, Identity::always, 1,
+            true}),
+       chosen_from<Asked>(names_in(length_units),
+                          {"unit", "", "of an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm",
+                           [](A a, S, S v) { a.body.unit = find_length_unit(v); },
+                           [](ConstA a) { return a.body.unit ? std::string(a.body.unit->name) : ""; }}),
        {"weld", "mm", "corners at open edges of a file this near are one; default as its digits say",
         [](A a, S k, S v) {
           a.body.weld = number(k, v);
@@ -207,12 +215,12 @@ Fields<Asked> question_fields() {
 Fields<Asked> domain_fields() {
   return grouped<Asked>(
       "domain",
-      {{"domain", "", "columns (whole cells) or exact (cut at the wall); default columns, for quadric exact",
-        [](A a, S k, S v) {
-          if (v != "columns" && v != "exact") refuse(k, v, "columns or exact");
-          a.domain = v;
-        },
-        [](ConstA a) { return domain_of(a); }},
+      {chosen_from<Asked>(
+           words_of(domains),
+           {"domain", "",
+            "columns (whole cells) or exact (cut at the wall); default columns, for quadric exact",
+            [](A a, S k, S v) { a.domain = domains[word_of(k, v, domains)]; },
+            [](ConstA a) { return domain_of(a); }}),
        {"resolution", "", "cells along the longest side, or NXxNYxNZ; default 64",
         [](A a, S k, S v) { a.grid = grid(k, v); }, [](ConstA a) { return grid_text(a.grid); },
         Identity::always},
@@ -226,24 +234,18 @@ Fields<Asked> domain_fields() {
           a.wall.to_corners = to_corners;
         },
         [](ConstA a) { return to_string(a.wall); }, Identity::always},
-       {"wall-to", "", "what of a voxel is a wall away from the surface: centres (default) or corners",
-        [](A a, S k, S v) {
-          if (v != "centres" && v != "corners") refuse(k, v, "centres or corners");
-          a.wall.to_corners = v == "corners";
-        },
-        [](ConstA a) { return std::string(a.wall.to_corners ? "corners" : "centres"); }}});
+       one_of<Asked>(
+           "wall-to", "what of a voxel is a wall away from the surface: centres (default) or corners",
+           {"centres", "corners"}, [](auto& a) -> auto& { return a.wall.to_corners; })});
 }
 
 Fields<Asked> device_fields() {
   return grouped<Asked>(
       "device", {{"device", "", "index or part of a name; default KREISEL_DEVICE, else a GPU, else PoCL",
                   [](A a, S, S v) { a.device = v; }, [](ConstA a) { return a.device; }},
-                 {"precision", "", "automatic or single (compensated)",
-                  [](A a, S k, S v) {
-                    if (v != "automatic" && v != "single") refuse(k, v, "automatic or single");
-                    a.single_precision = v == "single";
-                  },
-                  [](ConstA a) { return std::string(a.single_precision ? "single" : "automatic"); }}});
+                 one_of<Asked>(
+                     "precision", "automatic or single (compensated)", {"automatic", "single"},
+                     [](auto& a) -> auto& { return a.single_precision; })});
 }
 
 /// Each setting of a problem has an option of its own. Its text is said among the settings.
@@ -251,13 +253,14 @@ Fields<Asked> setting_fields() {
   struct Words {
     std::string name, unit, help;
     std::string of, last;  ///< the problems that say the last of it alike, and what that is
+    Choices choices;
   };
   static std::deque<Words> kept;  // fields only look at them
   for (const ProblemEntry& problem : problems())
     for (const Field<Settings>& setting : problem.settings.fields()) {
       const std::string name = fmt::format("problem.{}", setting.name);
       auto words = std::ranges::find(kept, name, &Words::name);
-      if (words == kept.end()) words = kept.insert(kept.end(), {name, std::string(setting.unit), "", "", ""});
+      if (words == kept.end()) words = kept.insert(kept.end(), {name, std::string(setting.unit), "", "", "", setting.choices});
       if (words->last == setting.help) {
         words->of += ", " + problem.name;
       } else {
@@ -267,13 +270,16 @@ Fields<Asked> setting_fields() {
     }
   for (Words& words : kept) words.help += fmt::format("{}: {}", words.of, words.last);
   Fields<Asked> fields;
-  for (const Words& words : kept)
-    fields.push_back({words.name, words.unit, words.help,
-                      [](A a, S k, S v) { a.settings[std::string(k)] = v; },
-                      [name = words.name](ConstA a) {
-                        const auto found = a.settings.find(name);
-                        return found == a.settings.end() ? "" : found->second;
-                      }});
+  for (const Words& words : kept) {
+    Field<Asked> field{words.name, words.unit, words.help,
+                       [](A a, S k, S v) { a.settings[std::string(k)] = v; },
+                       [name = words.name](ConstA a) {
+                         const auto found = a.settings.find(name);
+                         return found == a.settings.end() ? "" : found->second;
+                       }};
+    field.choices = words.choices;
+    fields.push_back(std::move(field));
+  }
   return grouped("the problem's settings", fields);
 }
 
@@ -281,12 +287,9 @@ Fields<Asked> setting_fields() {
 Fields<RunConfig> effort_fields() {
   return grouped<RunConfig>(
       "effort",
-      {{"part", "", "written (default), or none: the run ends with the solve",
-        [](C c, S k, S v) {
-          if (v != "none" && v != "written") refuse(k, v, "none or written");
-          c.part = v == "none" ? Part::none : Part::written;
-        },
-        [](ConstC c) { return std::string(c.part == Part::none ? "none" : "written"); }},
+      {one_of<RunConfig>(
+           "part", "written (default), or none: the run ends with the solve", {"none", "written"},
+           [](auto& c) -> auto& { return c.part; }),
        {"repeat", "", "timed solves at most; default 1", [](C c, S k, S v) { c.repeat = whole(k, v, 1); },
         [](ConstC c) { return std::to_string(c.repeat); }, Identity::none},
        {"budget", "s", "after which no further repetition starts; default 20",
@@ -320,21 +323,29 @@ Fields<RunConfig> effort_fields() {
 }  // namespace
 
 const Fields<Asked>& asked_fields() {
-  static const Fields<Asked> all =
-      joined<Asked>(body_fields(), pose_fields(), shape_fields(), question_fields(), domain_fields(),
-                    device_fields(), setting_fields());
+  static const Fields<Asked> all = [] {
+    Fields<Asked> fields = joined<Asked>(body_fields(), pose_fields(), shape_fields(), question_fields(),
+                                         domain_fields(), device_fields(), setting_fields());
+    const auto choose = [&](S name, Choices choices) {
+      std::ranges::find(fields, name, &Field<Asked>::name)->choices = std::move(choices);
+    };
+    choose("axis", words_of({"auto", "near:"}));
+    choose("up", words_of({"auto", "near:", "rest:"}));
+    choose("flatten", words_of({"auto"}));
+    choose("problem", names_in(problems));
+    choose("formulation", names_in(formulations));
+    choose("solver", names_in(solvers));
+    return fields;
+  }();
   return all;
 }
 
 const Fields<RunConfig>& rounding_fields() {
   static const Fields<RunConfig> all = grouped<RunConfig>(
       "effort",
-      {{"rounding", "", "of the written part: nearest, or fitted so that the constraints hold (default)",
-        [](C c, S k, S v) {
-          if (v != "nearest" && v != "fitted") refuse(k, v, "nearest or fitted");
-          c.rounding = v == "nearest" ? Rounding::nearest : Rounding::fitted;
-        },
-        [](ConstC c) { return std::string(c.rounding == Rounding::nearest ? "nearest" : "fitted"); }}});
+      {one_of<RunConfig>(
+          "rounding", "of the written part: nearest, or fitted so that the constraints hold (default)",
+          {"nearest", "fitted"}, [](auto& c) -> auto& { return c.rounding; })});
   return all;
 }
 

@@ -59,14 +59,10 @@ Fields<MapRun> orientation_fields() {
       "orientations",
       {{"axes", "", "directions of the sphere; default 2000", [](M m, S k, S v) { m.axes = whole(k, v, 1); },
         [](ConstM m) { return std::to_string(m.axes); }, Identity::always},
-       {"through", "",
-        "axes run through the lowest point (default), or the solid's centre of mass: lowest, centre",
-        [](M m, S k, S v) {
-          if (v != "lowest" && v != "centre") refuse(k, v, "lowest or centre");
-          m.through = v == "centre" ? Through::centre : Through::lowest;
-        },
-        [](ConstM m) { return std::string(m.through == Through::centre ? "centre" : "lowest"); },
-        Identity::always},
+       one_of<MapRun>(
+           "through",
+           "axes run through the lowest point (default), or the solid's centre of mass: lowest, centre",
+           ways_through, [](auto& m) -> auto& { return m.through; }, Identity::always),
        {"drafts", "", "float: of the height, mm or grams; default 20%,40%,60%,80%",
         [](M m, S, S v) {
           const auto parts = split(v, ',');

@@ -22,6 +22,9 @@ enum class Identity {
   none      ///< no: how often, how long, where
 };
 
+/// The words that a value may be, or may begin with.
+using Choices = std::function<std::vector<std::string>()>;
+
 /// One field of a T, a run or a part of one.
 template <class T>
 struct Field {
@@ -36,6 +39,7 @@ struct Field {
   int words = 1;                ///< that its value consists of (words.hpp); 0: any number of them
   bool shapes = false;          ///< its words name shapes: models, or mesh files that are read
   std::string_view group = "";  ///< under which help lists it
+  Choices choices = {};         ///< empty: any value that set() takes
 };
 
 template <class T>
@@ -55,13 +59,30 @@ template <class T>
   return fields;
 }
 
+/// The names of entries, as they are when they are asked for: a registry may be added to.
+template <class Get>
+[[nodiscard]] Choices names_in(Get entries) {
+  return [entries] {
+    const auto names = names_of(entries());
+    return std::vector<std::string>(names.begin(), names.end());
+  };
+}
+
+/// The field with what its value may be.
+template <class T>
+[[nodiscard]] Field<T> chosen_from(Choices choices, Field<T> field) {
+  field.choices = std::move(choices);
+  return field;
+}
+
 /// Tables of fields as one; those of a base of T among them.
 template <class T, class... Parts>
 [[nodiscard]] Fields<T> joined(const Fields<Parts>&... parts) {
   Fields<T> all;
   const auto add = [&](const auto& fields) {
     for (const auto& f : fields)
-      all.push_back({f.name, f.unit, f.help, f.set, f.text, f.identity, f.words, f.shapes, f.group});
+      all.push_back(
+          {f.name, f.unit, f.help, f.set, f.text, f.identity, f.words, f.shapes, f.group, f.choices});
   };
   (add(parts), ...);
   return all;
@@ -77,7 +98,7 @@ template <class Whole, class Part, class Get>
                      set(get(whole), name, value);
                    },
                    [get, text = f.text](const Whole& whole) { return text(get(whole)); }, f.identity, f.words,
-                   f.shapes, f.group});
+                   f.shapes, f.group, f.choices});
   return all;
 }
 

@@ -4,15 +4,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "error.hpp"
+#include "settings/field.hpp"
 #include "parse.hpp"
 
 namespace kreisel::core::field_text {
@@ -51,27 +54,6 @@ inline double not_negative(std::string_view key, std::string_view value) {
 inline std::string number_text(double v) { return fmt::format("{}", v); }
 inline std::string number_text(const std::optional<double>& v) { return v ? number_text(*v) : ""; }
 
-/// One of a few words, each of which stands for a value of an enumeration.
-template <class Value>
-using Words = std::vector<std::pair<std::string_view, Value>>;
-
-template <class Value>
-Value word(const Words<Value>& words, std::string_view key, std::string_view value) {
-  for (const auto& [name, meaning] : words)
-    if (name == value) return meaning;
-  std::vector<std::string_view> names;
-  for (const auto& [name, meaning] : words) names.push_back(name);
-  const std::string last(names.back());
-  names.pop_back();
-  refuse(key, value, fmt::format("{} or {}", fmt::join(names, ", "), last));
-}
-template <class Value>
-std::string word_for(const Words<Value>& words, const Value& value) {
-  for (const auto& [name, meaning] : words)
-    if (meaning == value) return std::string(name);
-  return "";
-}
-
 inline Eigen::Vector3d vector(std::string_view key, std::string_view value) {
   const auto v = parse_vector(value);
   if (!v) refuse(key, value, "three numbers x,y,z");
@@ -84,6 +66,64 @@ inline std::vector<std::string_view> split(std::string_view text, char at) {
     parts.push_back(text.substr(0, cut));
   parts.push_back(text);
   return parts;
+}
+
+/// "lower, middle or upper".
+inline std::string either_of(std::vector<std::string_view> words) {
+  const std::string last(words.back());
+  words.pop_back();
+  return words.empty() ? last : fmt::format("{} or {}", fmt::join(words, ", "), last);
+}
+
+/// The number of the word that the value is. @throws InputError  none of them
+inline std::size_t word_of(std::string_view key, std::string_view value,
+                           const std::vector<std::string_view>& words) {
+  const auto found = std::ranges::find(words, value);
+  if (found == words.end())
+    refuse(key, value, either_of(words));
+  return static_cast<std::size_t>(found - words.begin());
+}
+
+inline Choices words_of(const std::vector<std::string_view>& words) {
+  return [words] { return std::vector<std::string>(words.begin(), words.end()); };
+}
+
+template <class T>
+struct Unwrapped {
+  using type = T;
+  static std::optional<std::size_t> number(const T& value) { return static_cast<std::size_t>(value); }
+};
+template <class T>
+struct Unwrapped<std::optional<T>> {
+  using type = T;
+  static std::optional<std::size_t> number(const std::optional<T>& value) {
+    return value ? std::optional(static_cast<std::size_t>(*value)) : std::nullopt;
+  }
+};
+
+/// A field whose value is one of some words.
+/// @param get  what it sets of a T, const or not: a bool or enumerator, by the word's number; or an optional
+///             one, which no word stands for where it is empty
+template <class T, class Get>
+[[nodiscard]] Field<T> one_of(std::string_view name, std::string_view help,
+                              const std::vector<std::string_view>& words, Get get,
+                              Identity identity = Identity::changed) {
+  using Value = Unwrapped<std::remove_cvref_t<decltype(get(std::declval<T&>()))>>;
+  return {name,
+          "",
+          help,
+          [words, get](T& run, std::string_view key, std::string_view value) {
+            get(run) = static_cast<typename Value::type>(word_of(key, value, words));
+          },
+          [words, get](const T& run) {
+            const std::optional<std::size_t> number = Value::number(get(run));
+            return number ? std::string(words[*number]) : std::string();
+          },
+          identity,
+          1,
+          false,
+          "",
+          words_of(words)};
 }
 
 inline std::string text_of(const Eigen::Vector3d& v) { return fmt::format("{},{},{}", v[0], v[1], v[2]); }

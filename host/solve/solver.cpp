@@ -51,23 +51,18 @@ struct CommonSettings {
 
 Fields<CommonSettings> common_fields() {
   using namespace field_text;
-  static const Words<Start> starts = {
-      {"lower", Start::lower}, {"middle", Start::middle}, {"upper", Start::upper}};
-  static const Words<std::optional<bool>> curvatures = {{"convex", true}, {"full", false}};
-  static const Words<bool> defaults = {{"kreisel", false}, {"ipopt", true}};
-  return {{"start", "", "of the variables between their bounds: lower, middle (default) or upper",
-           [](auto& s, auto k, auto v) { s.start = word(starts, k, v); },
-           [](auto& s) { return word_for(starts, s.start); }},
-          {"curvature", "", "of the moments in the variables: convex (default: its positive part) or full",
-           [](auto& s, auto k, auto v) { s.convexify = word(curvatures, k, v); },
-           [](auto& s) { return word_for(curvatures, s.convexify); }},
+  return {one_of<CommonSettings>("start",
+                                 "of the variables between their bounds: lower, middle (default) or upper",
+                                 {"lower", "middle", "upper"}, [](auto& s) -> auto& { return s.start; }),
+          one_of<CommonSettings>(
+              "curvature", "of the moments in the variables: convex (default: its positive part) or full",
+              {"full", "convex"}, [](auto& s) -> auto& { return s.convexify; }),
           {"reach", "",
            "largest derivative of the scaled objective at the start; default as suits the formulation",
            [](auto& s, auto k, auto v) { s.reach = positive(k, v); },
            [](auto& s) { return number_text(s.reach); }},
-          {"defaults", "", "of Ipopt's options: kreisel (default) or ipopt, its own",
-           [](auto& s, auto k, auto v) { s.untouched = word(defaults, k, v); },
-           [](auto& s) { return word_for(defaults, s.untouched); }}};
+          one_of<CommonSettings>("defaults", "of Ipopt's options: kreisel (default) or ipopt, its own",
+                                 {"kreisel", "ipopt"}, [](auto& s) -> auto& { return s.untouched; })};
 }
 
 }  // namespace

@@ -4,10 +4,11 @@ import numpy as np
 
 from . import _core
 from ._core import (Body, Device, Error, InputError, Inspection, Iteration, Nesting, Part, Question, Shell, Solid,
-                    Solution, Verdict, add_problem, inspect, nest, verify)
+                    Solution, Verdict, add_problem, inspect, nest, question_fields, verify)
 
 __all__ = ["Body", "Device", "Error", "InputError", "Inspection", "Iteration", "Map", "Nesting", "Part", "Place",
-           "Question", "Session", "Shell", "Solid", "Solution", "Verdict", "add_problem", "inspect", "nest", "verify"]
+           "Question", "Session", "Shell", "Solid", "Solution", "Verdict", "add_problem", "inspect", "nest",
+           "question_fields", "verify"]
 
 
 class Place:

@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 BenchAnswer plot(const std::string& script, const std::string& arguments) {
-  return shell(fmt::format("/usr/bin/python3 '{}/plots/{}.py' {}", KREISEL_SOURCE, script, arguments));
+  return shell(fmt::format("KREISEL_BENCH='{}' /usr/bin/python3 '{}/plots/{}.py' {}", KREISEL_BENCH,
+                           KREISEL_SOURCE, script, arguments));
 }
 
 std::string content_of(const fs::path& file) {

@@ -402,6 +402,75 @@ class Sessions(unittest.TestCase):
         print(f"around a solve: {1e6 * np.median(spent):.0f} us")
 
 
+class Keywords(unittest.TestCase):
+    """Of a question: every field that `bench fields solve` has, but for what a session has already."""
+
+    #: A value of each that is taken whatever the rest; any other takes a number.
+    VALUES = {"axis": (0, 0, 1), "contact": (0, 0, 1), "up": "near:0,0,1", "axis_through": "centre", "tip": "2,3",
+              "problem": "stand", "formulation": "rayrep", "solver": "moment", "domain": "exact", "wall_to": "corners",
+              "wall": "2%", "certify": 1e-3, "rounding": "nearest", "cells": (20, 16, 16), "level": 5, "find": "auto",
+              "flatten": "auto", "point": (0, 0, 5), "line": (0, 0, 1), "target": "inside", "lower": "height",
+              "draft": "60%", "resolution": 20}
+
+    def test_every_field_is_one_and_can_be_read_again(self):
+        for keyword, says in kr.question_fields().items():
+            question = kr.Question(**{keyword: self.VALUES.get(keyword, 2)})
+            self.assertIn(f"{keyword}: {says}", kr.Question.__doc__)
+            self.assertTrue(hasattr(question, keyword))
+
+    def test_values_are_numbers_text_or_sequences(self):
+        q = kr.Question(axis="auto", axis_through="centre", stem=np.float32(2), tip=(2, 3), flatten="auto",
+                        wall="1.5h", resolution=(20, 16, 16), draft="60%", void_density=0.5)
+        self.assertEqual((q.axis, q.axis_through, q.stem, q.flatten), ("auto", "centre", 2, "auto"))
+        self.assertEqual((list(q.tip), q.wall, q.cells, q.draft, q.void_density),
+                         ([2, 3], "1.5h", [20, 16, 16], "60%", 0.5))
+        self.assertEqual(kr.Question(settings={"problem.draft": "60%"}), kr.Question(draft="60%"))
+        self.assertEqual(list(kr.Question(axis=np.array((0, 1.0, 2))).axis), [0, 1, 2])
+
+    def test_what_is_said_later_stands(self):
+        q = kr.Question(level=5, axis="auto", flatten="auto", certify=1e-3)
+        self.assertEqual(q.replace(cells=20).resolution, 20)
+        self.assertEqual(list(q.replace(axis=(0, 0, 1)).axis), [0, 0, 1])
+        self.assertEqual(q.replace(flatten=2).flatten, 2)
+        self.assertIsNone(q.replace(flatten=None).flatten)
+        self.assertEqual(q.replace(certify=0), q.replace(certify=0).replace(certify=0))
+        self.assertEqual(q.replace(level=None, axis=None, flatten=None, certify=0), kr.Question())
+
+    def test_the_librarys_own_defaults_stay(self):
+        q = kr.Question()
+        self.assertEqual((q.formulation, q.solver, q.domain, q.wall, q.resolution, q.axis),
+                         ("quadric", "moment", "exact", 1.2, 64, None))
+        self.assertIn("of a question quadric", kr.question_fields()["formulation"])
+
+    def test_what_does_not_fit_is_told_when_it_is_given(self):
+        for fields, says in (({"wal": 2}, "did you mean 'wall'?"), ({"flatten": "much"}, "flatten = 'much'; expected mm"),
+                             ({"void_density": "x"}, "void_density = 'x'; expected a number"),
+                             ({"wall_to": "middle"}, "expected centres or corners"), ({"domain": None}, "domain = 'None'"),
+                             ({"axis": (1, 2)}, "axis = '1,2'"), ({"problem": "spim"}, "did you mean 'spin'?"),
+                             ({"weld": 0.1}, "weld: a question has no such field"), ({"repeat": 3}, "repeat: ")):
+            with self.assertRaises(kr.InputError, msg=fields) as caught:
+                kr.Question(**fields)
+            self.assertIn(says, str(caught.exception))
+
+    def test_a_session_solves_and_verifies_by_them(self):
+        body = kr.Body.model("ellipsoid")
+        session = kr.Session(body)
+        found = session.solve("spin", axis="auto", axis_through="lowest", wall="2%", cells=24)
+        self.assertTrue(found.feasible, found.message)
+        self.assertEqual(found.question.axis.shape, (3,))
+        self.assertEqual(session.solve(found.question).objective, found.objective)
+        exact = session.solve("spin", formulation="rayrep", wall_to="corners", level=4)
+        self.assertEqual(exact.question.wall_to, "corners")
+        standing = session.solve("stand", flatten="auto", cells=24)
+        self.assertGreater(standing.question.flatten or 0, 0)
+        with tempfile.TemporaryDirectory() as folder:
+            files = session.part(found).write(os.path.join(folder, "part.stl"))
+            self.assertTrue(kr.verify(files, body, found.question, rounding="nearest"))
+            self.assertTrue(kr.verify(files, body, "spin", axis=found.question.axis, contact=found.question.contact))
+            with self.assertRaisesRegex(kr.InputError, "to be found"):
+                kr.verify(files, body, "spin", axis="auto")
+
+
 class Nests(unittest.TestCase):
     def test_a_box_in_itself_nests_as_a_smaller_one(self):
         body = kr.Body(*box((40, 40, 40)))

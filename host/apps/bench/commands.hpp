@@ -1,6 +1,7 @@
 // commands.hpp - what `bench` can do; main.cpp parses, each command prints. All return an exit code.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -80,8 +81,20 @@ int report(const ReportOptions& options);
 /// Their tables, in the marked places of Markdown files. [docs/tables.md]
 int report_markdown(const ReportOptions& options);
 
-/// Prints records, or the table of an experiment whose runs they are.
-int show(const std::vector<std::string>& paths);
+struct ShowOptions {
+  std::vector<std::string> paths;  ///< records, or folders of them
+  std::string columns;             ///< with commas between them; empty: what there is to say of a record
+  std::string published;           ///< numbers for columns "published.NAME": a name or a file; may be empty
+  std::string json_file;           ///< of the columns; empty: a table; "-" is standard output
+};
+/// Prints records, or values of columns: a row a record.
+int show(const ShowOptions& options);
+
+/// Of these records. @throws InputError  an expression that cannot be read
+int show_columns(const ShowOptions& options, const std::vector<std::filesystem::path>& records);
+
+/// The columns that have names of their own. @param markdown  as the table of docs/experiments.md
+int list_columns(bool markdown);
 
 struct FieldsOptions {
   std::string kind;       ///< empty: all

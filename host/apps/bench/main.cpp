@@ -9,14 +9,18 @@
 
 #include "apps/bench/commands.hpp"
 #include "apps/bench/simulate_options.hpp"
+#include "apps/shared/completion.hpp"
 #include "apps/shared/outputs.hpp"
 #include "apps/shared/program.hpp"
 #include "apps/shared/run_options.hpp"
 #include "error.hpp"
+#include "experiment/columns.hpp"
+#include "experiment/experiment.hpp"
 #include "session/build_info.hpp"
 
 namespace {
 
+using kreisel::core::experiment_names;
 using kreisel::core::find_run_kind;
 using kreisel::core::InputError;
 using kreisel::core::RunKind;
@@ -32,10 +36,14 @@ struct Parsed {
   NestOptions nest;
   FieldsOptions fields;
   RunOptions run;
-  std::vector<std::string> paths;
+  ShowOptions show;
   std::string only_device;
-  bool no_measure = false;
+  bool no_measure = false, markdown = false;
 };
+
+void add_file(CLI::App& app, const char* name, std::string& file, const char* help) {
+  app.add_option(name, file, help)->type_name("FILE");
+}
 
 void add_run_options(CLI::App& app, Parsed& parsed) {
   const RunKind& solve = find_run_kind("solve");
@@ -50,17 +58,17 @@ void add_run_options(CLI::App& app, Parsed& parsed) {
          "prove how far from the best the result can be, until this relative gap; alone: 1e-3")
       ->expected(0, 1)
       ->type_name("GAP");
-  app.add_option("--json", parsed.once.json_file, "write the result as JSON; - for standard output");
-  app.add_option("--mesh", parsed.once.mesh_file,
-                 "write the hollowed part, mm; .stl, .3mf, .obj, .ply or .off");
-  app.add_option("--record", parsed.once.record_file, "write the whole run as HDF5");
+  add_file(app, "--json", parsed.once.json_file, "write the result as JSON; - for standard output");
+  add_file(app, "--mesh", parsed.once.mesh_file,
+           "write the hollowed part, mm; .stl, .3mf, .obj, .ply or .off");
+  add_file(app, "--record", parsed.once.record_file, "write the whole run as HDF5");
 }
 
 void add_inspect_options(CLI::App& app, Parsed& parsed) {
   parsed.run.add_model(app);
   parsed.run.add_some(app, {&find_run_kind("solve")},
                       {"axis", "contact", "up", "unit", "weld", "size", "density", "fineness"});
-  app.add_option("--json", parsed.once.json_file, "write it all as JSON; - for standard output");
+  add_file(app, "--json", parsed.once.json_file, "write it all as JSON; - for standard output");
 }
 
 void add_map_options(CLI::App& app, Parsed& parsed) {
@@ -68,19 +76,19 @@ void add_map_options(CLI::App& app, Parsed& parsed) {
   parsed.run.add_model(app);
   parsed.run.add_but(app, {&map}, {"model"});
   parsed.run.add_settings(app, map);
-  app.add_option("--json", parsed.map.json_file, "write it all as JSON; - for standard output");
-  app.add_option("--record", parsed.map.record_file, "write the map as HDF5");
+  add_file(app, "--json", parsed.map.json_file, "write it all as JSON; - for standard output");
+  add_file(app, "--record", parsed.map.record_file, "write the map as HDF5");
 }
 
 void add_nest_options(CLI::App& app, Parsed& parsed) {
   NestOptions& nest = parsed.nest;
   parsed.run.add(app, nesting_kinds());
-  app.add_option("--json", nest.json_file, "write the answer as JSON; - for standard output");
-  app.add_option("--record", nest.record_file, "write the whole run as HDF5");
-  app.add_option("--checkpoint", nest.checkpoint_file,
-                 "keep the search there, every half a minute and when it is stopped");
-  app.add_option("--resume", nest.resume_file,
-                 "go on with a checkpoint, by the options that it was begun with; it is kept there again");
+  add_file(app, "--json", nest.json_file, "write the answer as JSON; - for standard output");
+  add_file(app, "--record", nest.record_file, "write the whole run as HDF5");
+  add_file(app, "--checkpoint", nest.checkpoint_file,
+           "keep the search there, every half a minute and when it is stopped");
+  add_file(app, "--resume", nest.resume_file,
+           "go on with a checkpoint, by the options that it was begun with; it is kept there again");
 }
 
 /// A subcommand, and what it does once all is parsed.
@@ -89,14 +97,20 @@ using Command = std::pair<CLI::App*, std::function<int()>>;
 Command add_experiment(CLI::App& app, Parsed& parsed) {
   CLI::App* experiment =
       app.add_subcommand("run", "run an experiment (TOML) and print its table; finished runs are skipped");
-  experiment->add_option("experiment", parsed.experiment.name, "a file, or the name of one of `bench list`")
-      ->required();
+  offer(experiment
+            ->add_option("experiment", parsed.experiment.name, "a file, or the name of one of `bench list`")
+            ->type_name("NAME|FILE")
+            ->required(),
+        experiment_names);
   experiment->add_option("--results", parsed.experiment.results, "folder of the records")
+      ->type_name("FOLDER")
       ->capture_default_str();
-  experiment->add_option("--csv", parsed.experiment.csv_file, "write the table as CSV, too");
-  experiment->add_option(
-      "--models", parsed.experiment.models,
-      "folder of mesh files that are not in the current one; default KREISEL_MODELS, else models");
+  add_file(*experiment, "--csv", parsed.experiment.csv_file, "write the table as CSV, too");
+  experiment
+      ->add_option(
+          "--models", parsed.experiment.models,
+          "folder of mesh files that are not in the current one; default KREISEL_MODELS, else models")
+      ->type_name("FOLDER");
   experiment->add_option("--device", parsed.experiment.device, "as above, for every run");
   experiment->add_flag("--force", parsed.experiment.force, "run finished runs again");
   experiment->add_flag("--dry-run", parsed.experiment.dry_run, "say what would run");
@@ -153,9 +167,14 @@ Command add_nest(CLI::App& app, Parsed& parsed) {
 Command add_report(CLI::App& app, Parsed& parsed) {
   CLI::App* reported =
       app.add_subcommand("report", "tables and figures of experiments that have been run, as one HTML page");
-  reported->add_option("experiments", parsed.report.experiments, "default: all that have records");
-  reported->add_option("--results", parsed.report.results, "folder of the records")->capture_default_str();
-  reported->add_option("-o,--output", parsed.report.output, "the page")->capture_default_str();
+  offer(reported->add_option("experiments", parsed.report.experiments, "default: all that have records"),
+        experiment_names);
+  reported->add_option("--results", parsed.report.results, "folder of the records")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  reported->add_option("-o,--output", parsed.report.output, "the page")
+      ->type_name("FILE")
+      ->capture_default_str();
   reported
       ->add_option("--markdown", parsed.report.markdown,
                    "no page: write the tables into the marked places of these files")
@@ -166,27 +185,50 @@ Command add_report(CLI::App& app, Parsed& parsed) {
 }
 
 Command add_show(CLI::App& app, Parsed& parsed) {
-  CLI::App* shown = app.add_subcommand("show", "print records");
-  shown->add_option("records", parsed.paths, "HDF5 files, or folders of them")->required();
-  return {shown, [&parsed] { return show(parsed.paths); }};
+  ShowOptions& options = parsed.show;
+  CLI::App* shown = app.add_subcommand("show", "print records, or values of columns");
+  shown->add_option("records", options.paths, "HDF5 files, or folders of them")
+      ->type_name("FILE|FOLDER")
+      ->required();
+  offer(shown
+            ->add_option("--columns", options.columns,
+                         "a row a record: names of `bench columns`, of a record's JSON, or arithmetic with "
+                         "them, with commas between them")
+            ->type_name("NAME,..."),
+        kreisel::core::names_in(kreisel::core::columns));
+  shown
+      ->add_option("--published", options.published,
+                   "numbers for columns published.NAME: a name of results/published, or a file")
+      ->type_name("NAME|FILE");
+  add_file(*shown, "--json", options.json_file, "write the columns as JSON; - for standard output");
+  return {shown, [&parsed] { return show(parsed.show); }};
+}
+
+Command add_columns(CLI::App& app, Parsed& parsed) {
+  CLI::App* listed = app.add_subcommand("columns", "what tables, CSV and figures call by name");
+  listed->add_flag("--markdown", parsed.markdown, "as a table of a page");
+  return {listed, [&parsed] { return list_columns(parsed.markdown); }};
 }
 
 Command add_compare(CLI::App& app, Parsed& parsed) {
   CLI::App* compared = app.add_subcommand(
       "compare", "two folders of records run by run: ratios of time, differences of objective");
-  compared->add_option("A", parsed.compare.a, "records of one commit, machine or setting")->required();
-  compared->add_option("B", parsed.compare.b, "the same runs of another")->required();
+  compared->add_option("A", parsed.compare.a, "records of one commit, machine or setting")
+      ->type_name("FOLDER")
+      ->required();
+  compared->add_option("B", parsed.compare.b, "the same runs of another")->type_name("FOLDER")->required();
   compared->add_option("--fail-above", parsed.compare.fail_above,
                        "exit code 1 where a run of B takes more than so many times as long");
-  compared->add_option("--csv", parsed.compare.csv_file, "write the table as CSV, too");
+  add_file(*compared, "--csv", parsed.compare.csv_file, "write the table as CSV, too");
   return {compared, [&parsed] { return compare_results(parsed.compare); }};
 }
 
 Command add_fields(CLI::App& app, Parsed& parsed) {
   CLI::App* listed =
       app.add_subcommand("fields", "kinds of runs, and what each can be told: options, TOML keys");
-  listed->add_option("kind", parsed.fields.kind,
-                     "solve, map, simulation, or a nesting: scale, test, swarm, ...");
+  offer(listed->add_option("kind", parsed.fields.kind,
+                           "solve, map, simulation, or a nesting: scale, test, swarm, ..."),
+        kreisel::core::names_in(kreisel::core::run_kinds));
   listed->add_flag("--markdown", parsed.fields.markdown, "as a table of a page");
   return {listed, [&parsed] { return fields(parsed.fields); }};
 }
@@ -207,12 +249,14 @@ int dispatch(int argc, char** argv) {
   add_run_options(app, parsed);
   std::vector<Command> commands;
   for (const auto add : {add_experiment, add_inspect, add_map, add_simulate, add_nest, add_report, add_show,
-                         add_compare, add_fields})
+                         add_compare, add_columns, add_fields})
     commands.push_back(add(app, parsed));
   commands.emplace_back(
       app.add_subcommand("list", "models, problems, formulations, solvers, experiments; which pairs work"),
       list);
   commands.push_back(add_devices(app, parsed));
+  commands.emplace_back(add_completion(app), [] { return done; });
+  if (completes(app, argc, argv)) return done;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

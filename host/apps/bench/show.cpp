@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <vector>
 
 #include "apps/bench/commands.hpp"
+#include "error.hpp"
 #include "experiment/row.hpp"
 
 namespace kreisel::core::bench {
@@ -87,9 +90,13 @@ void print(const Record& record) {
 
 }  // namespace
 
-int show(const std::vector<std::string>& paths) {
-  for (const std::string& path : paths)
-    for (const std::filesystem::path& record : records_in(path)) print(read_record(record));
+int show(const ShowOptions& options) {
+  std::vector<std::filesystem::path> records;
+  for (const std::string& path : options.paths)
+    std::ranges::copy(records_in(path), std::back_inserter(records));
+  if (!options.columns.empty()) return show_columns(options, records);
+  if (!options.json_file.empty()) throw InputError("--json without --columns; expected both");
+  for (const std::filesystem::path& record : records) print(read_record(record));
   return done;
 }
 

@@ -10,6 +10,7 @@
 #include "apps/design/nest.hpp"
 #include "apps/design/outputs.hpp"
 #include "apps/design/print.hpp"
+#include "apps/shared/completion.hpp"
 #include "apps/shared/exit_code.hpp"
 #include "apps/shared/program.hpp"
 #include "apps/shared/run_options.hpp"
@@ -132,6 +133,8 @@ int dispatch(int argc, char** argv) {
   CLI::App* nested =
       app.add_subcommand("nest", "a nested doll: halves that come apart, around shapes as large as fit");
   add_nest_options(*nested, parsed.nest);
+  const CLI::App* completion = add_completion(app);
+  if (completes(app, argc, argv)) return done;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -142,6 +145,7 @@ int dispatch(int argc, char** argv) {
     fmt::print("{}", app.help());
     return done;
   }
+  if (*completion) return done;
   if (*nested) return nest_parts(parsed.nest);
   return make(parsed, kreisel::core::find_problem(app.get_subcommands().front()->get_name()));
 }

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "apps/shared/completion.hpp"
 #include "apps/shared/exit_code.hpp"
 #include "apps/shared/step_line.hpp"
+#include "body/source.hpp"
 #include "design/page.hpp"
 #include "file/write_text.hpp"
 #include "words.hpp"
@@ -46,11 +48,14 @@ void print(const Nested& nested) {
 }  // namespace
 
 void add_nest_options(CLI::App& app, NestArguments& arguments) {
-  app.add_option(
-         "models", arguments.models,
-         "names of `bench list` or mesh files: the outer shape, the one in it, the one in that ...; the "
-         "last goes into itself")
-      ->required();
+  offer(
+      app.add_option(
+             "models", arguments.models,
+             "names of `bench list` or mesh files: the outer shape, the one in it, the one in that ...; the "
+             "last goes into itself")
+          ->type_name("NAME|FILE")
+          ->required(),
+      shape_names);
   arguments.outputs.add(app,
                         "the parts, each a file with a name of its own beside this one, or objects of it");
   app.add_option("--wall", arguments.wall, "least wall: mm, or 2% (of the longest side)")

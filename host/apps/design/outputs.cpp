@@ -13,9 +13,12 @@
 namespace kreisel::core::apps {
 
 void DesignOutputs::add(CLI::App& app, const std::string& what) {
-  app.add_option("-o,--output", part, what + ": .stl, .3mf (with units), .obj, .ply or .off, mm")->required();
-  app.add_option("--json", json, "write a report as JSON; - for standard output");
-  app.add_option("--html", html, "write a page with a view of it, a cut to move, and the numbers");
+  app.add_option("-o,--output", part, what + ": .stl, .3mf (with units), .obj, .ply or .off, mm")
+      ->type_name("FILE")
+      ->required();
+  app.add_option("--json", json, "write a report as JSON; - for standard output")->type_name("FILE");
+  app.add_option("--html", html, "write a page with a view of it, a cut to move, and the numbers")
+      ->type_name("FILE");
   app.add_flag("--force", force, "write over files that exist");
 }
 

@@ -5,11 +5,21 @@
 
 #include <algorithm>
 
+#include "apps/shared/completion.hpp"
 #include "error.hpp"
 #include "words.hpp"
 
 namespace kreisel::core::apps {
 namespace {
+
+/// What its help and shells say of its value.
+void describe(const Field<Run>& field, CLI::Option* option) {
+  if (field.shapes)
+    option->type_name("NAME|FILE");
+  else if (!field.unit.empty())
+    option->type_name(std::string(field.unit));
+  offer(option, field.choices);
+}
 
 bool among(const RunOptions::Names& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
@@ -28,8 +38,11 @@ Fields<Run> fields_of(const std::vector<const RunKind*>& kinds) {
 
 void RunOptions::add(CLI::App& app, const std::string& option, const std::string& field,
                      const std::string& help) {
-  app.add_option_function<std::string>(
-      option, [this, field](const std::string& text) { say(field, text); }, help);
+  const auto kind = std::ranges::find_if(
+      run_kinds(), [&](const RunKind& one) { return find_field(one.fields, field) != nullptr; });
+  describe(*find_field(kind->fields, field),
+           app.add_option_function<std::string>(
+               option, [this, field](const std::string& text) { say(field, text); }, help));
 }
 
 void RunOptions::add_model(CLI::App& app) {
@@ -50,7 +63,7 @@ void RunOptions::add(CLI::App& app, const Field<Run>& field) {
         help);
     if (field.words > 1) added->expected(field.words);
   }
-  if (!field.unit.empty()) added->type_name(std::string(field.unit));
+  describe(field, added);
 }
 
 void RunOptions::add_some(CLI::App& app, const std::vector<const RunKind*>& kinds, const Names& some) {
@@ -64,9 +77,14 @@ void RunOptions::add_but(CLI::App& app, const std::vector<const RunKind*>& kinds
 }
 
 void RunOptions::add_settings(CLI::App& app, const RunKind& kind) {
-  app.add_option("--set", settings_, fmt::format("groups: {}", fmt::join(kind.groups, ", ")))
-      ->allow_extra_args(false)
-      ->type_name("GROUP.NAME=VALUE");
+  offer(app.add_option("--set", settings_, fmt::format("groups: {}", fmt::join(kind.groups, ", ")))
+            ->allow_extra_args(false)
+            ->type_name("GROUP.NAME=VALUE"),
+        [groups = kind.groups] {
+          std::vector<std::string> begun;
+          for (const std::string& name : setting_names(groups)) begun.push_back(name + "=");
+          return begun;
+        });
 }
 
 std::vector<GivenText> RunOptions::given() const {

@@ -84,6 +84,11 @@ const Entry& find_way(std::string_view name) {
 
 }  // namespace
 
+std::vector<std::string> feasibility_tests() {
+  const auto names = names_of(ways);
+  return {names.begin(), names.end()};
+}
+
 void require_test(std::string_view name) { (void)find_way(name); }
 
 std::unique_ptr<Feasibility> make_feasibility(std::string_view name, device::Device& device,

@@ -45,7 +45,8 @@ class Feasibility {
   [[nodiscard]] virtual std::vector<Verdict> check(std::span<const Placement> placements);
 };
 
-/// @throws InputError  none of the names that make_feasibility() takes
+/// The names that make_feasibility() takes. @throws InputError  (require_test) none of them
+[[nodiscard]] std::vector<std::string> feasibility_tests();
 void require_test(std::string_view name);
 
 /// A feasibility test by name: `peel`, `envelope`, `exact`, `hybrid`.
