@@ -12,13 +12,13 @@
 #include "experiment/child.hpp"
 #include "experiment/outside_nesting.hpp"
 #include "experiment/outside_solve.hpp"
-#include "experiment/run_text.hpp"
 #include "nest/search/baseline.hpp"
 #include "record/map_record.hpp"
 #include "record/nest_record.hpp"
 #include "record/record.hpp"
 #include "record/records_in.hpp"
 #include "record/simulation_record.hpp"
+#include "table/experiment_run.hpp"
 
 namespace kreisel::core {
 namespace fs = std::filesystem;

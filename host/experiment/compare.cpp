@@ -10,9 +10,9 @@
 #include <set>
 
 #include "error.hpp"
-#include "experiment/recorded_run.hpp"
 #include "record/records_in.hpp"
 #include "statistics.hpp"
+#include "table/recorded_run.hpp"
 
 namespace kreisel::core {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiment/sheet.hpp"
+#include "table/sheet.hpp"
 
 namespace kreisel::core {
 

@@ -10,10 +10,11 @@
 #include <utility>
 
 #include "error.hpp"
-#include "experiment/data_folder.hpp"
-#include "experiment/table.hpp"
 #include "nearest.hpp"
 #include "problem/problem.hpp"
+#include "table/data_folder.hpp"
+#include "table/layout.hpp"
+#include "table/table_kinds.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel::core {
@@ -309,24 +310,6 @@ std::vector<fs::path> experiment_folders() {
 }
 
 }  // namespace
-
-std::map<std::string, std::string> fields_of(const ExperimentRun& run) {
-  auto fields = describe(run.run);
-  if (const auto* nest = std::get_if<NestConfig>(&run.run)) fields["shapes"] = shapes_text(*nest);
-  return fields;
-}
-
-Limits limits_of(const ExperimentRun& run) {
-  const auto* solve = std::get_if<RunConfig>(&run.run);
-  return solve ? solve->limits : Limits();
-}
-
-const Asked& ExperimentRun::asked() const {
-  const Asked* asked = asked_of(run);
-  if (!asked) throw std::bad_variant_access();
-  return *asked;
-}
-Asked& ExperimentRun::asked() { return const_cast<Asked&>(std::as_const(*this).asked()); }
 
 Experiment parse_experiment(std::string_view text, const fs::path& file) {
   return Parser(text, file).parse();

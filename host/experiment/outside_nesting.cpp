@@ -4,8 +4,8 @@
 
 #include "error.hpp"
 #include "experiment/child.hpp"
-#include "experiment/run_text.hpp"
 #include "record/nest_record.hpp"
+#include "table/experiment_run.hpp"
 #include "words.hpp"
 
 namespace kreisel::core {

@@ -6,9 +6,9 @@
 
 #include "error.hpp"
 #include "experiment/child.hpp"
-#include "experiment/run_text.hpp"
 #include "memory.hpp"
 #include "record/record.hpp"
+#include "table/experiment_run.hpp"
 
 namespace kreisel::core {
 namespace {

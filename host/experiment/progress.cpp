@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiment/run_text.hpp"
+#include "table/experiment_run.hpp"
 
 namespace kreisel::core {
 namespace {

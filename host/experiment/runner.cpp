@@ -12,8 +12,8 @@
 #include "experiment/absent_files.hpp"
 #include "experiment/attempt.hpp"
 #include "experiment/progress.hpp"
-#include "experiment/run_text.hpp"
 #include "record/record.hpp"
+#include "table/experiment_run.hpp"
 
 namespace kreisel::core {
 namespace fs = std::filesystem;
@@ -61,6 +61,17 @@ void make_folder(const fs::path& folder) {
 
 fs::path record_path(const fs::path& results, const std::string& experiment, const ExperimentRun& run) {
   return results / experiment / (run_name(run.run) + ".h5");
+}
+
+std::vector<RecordedRun> collect(const Experiment& experiment, const std::filesystem::path& results) {
+  std::vector<RecordedRun> runs;
+  for (const ExperimentRun& run : experiment.runs) {
+    const auto path = record_path(results, experiment.name, run);
+    std::error_code ignored;
+    RecordedRun& recorded = runs.emplace_back(RecordedRun{run});
+    if (std::filesystem::exists(path, ignored)) recorded.record = read_record(path);
+  }
+  return runs;
 }
 
 std::vector<PlannedRun> plan_runs(const Experiment& experiment, const RunnerOptions& options) {

@@ -12,6 +12,7 @@
 #include "run/nest_run.hpp"
 #include "session/orientation_map.hpp"
 #include "session/pipeline.hpp"
+#include "table/recorded_run.hpp"
 
 namespace kreisel::core {
 
@@ -74,6 +75,11 @@ struct RunCounts {
 /// <results>/<experiment name>/<run_name()>.h5
 [[nodiscard]] std::filesystem::path record_path(const std::filesystem::path& results,
                                                 const std::string& experiment, const ExperimentRun& run);
+
+/// Every run of the experiment, in the order of the file, with its record under `results`.
+/// @throws InputError  a record that cannot be read
+[[nodiscard]] std::vector<RecordedRun> collect(const Experiment& experiment,
+                                               const std::filesystem::path& results);
 
 /// @throws InputError  a record that cannot be read: it may be of a newer version, so it is not replaced
 /// unasked

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiment/markdown_table.hpp"
+#include "table/markdown_table.hpp"
 
 namespace kreisel::core {
 

@@ -5,8 +5,9 @@
 #include <memory>
 
 #include "device/scoped_environment.hpp"
+#include "experiment/experiment_table.hpp"
 #include "experiment/runner.hpp"
-#include "experiment/table.hpp"
+#include "table/table_kinds.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {

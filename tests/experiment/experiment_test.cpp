@@ -7,10 +7,11 @@
 #include <set>
 
 #include "error.hpp"
-#include "experiment/data_folder.hpp"
-#include "experiment/published.hpp"
-#include "experiment/run_text.hpp"
-#include "experiment/table.hpp"
+#include "experiment/experiment_table.hpp"
+#include "table/data_folder.hpp"
+#include "table/experiment_run.hpp"
+#include "table/published.hpp"
+#include "table/table_kinds.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {

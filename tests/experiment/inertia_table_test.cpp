@@ -1,12 +1,12 @@
-#include "experiment/inertia_table.hpp"
+#include "table/inertia_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "experiment/data_folder.hpp"
 #include "experiment/recorded_runs.hpp"
+#include "table/data_folder.hpp"
 
 namespace kreisel::core {
 namespace {

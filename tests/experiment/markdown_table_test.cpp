@@ -1,4 +1,4 @@
-#include "experiment/markdown_table.hpp"
+#include "table/markdown_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,13 +2,14 @@
 
 #include <memory>
 
-#include "experiment/data_folder.hpp"
+#include "experiment/experiment_table.hpp"
 #include "experiment/progress.hpp"
-#include "experiment/run_text.hpp"
 #include "experiment/runner.hpp"
-#include "experiment/table.hpp"
 #include "nest/search/baseline.hpp"
 #include "refusal.hpp"
+#include "table/data_folder.hpp"
+#include "table/experiment_run.hpp"
+#include "table/published.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {

@@ -1,4 +1,4 @@
-#include "experiment/provenance_text.hpp"
+#include "table/provenance_text.hpp"
 
 #include <gtest/gtest.h>
 

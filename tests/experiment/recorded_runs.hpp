@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "experiment/layout_table.hpp"
-#include "experiment/table.hpp"
+#include "experiment/experiment_table.hpp"
 #include "record/nest_record.hpp"
 #include "record/record.hpp"
+#include "table/layout_table.hpp"
+#include "table/table_kinds.hpp"
 
 namespace kreisel::core {
 

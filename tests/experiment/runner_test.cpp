@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 #include "error.hpp"
+#include "experiment/experiment_table.hpp"
 #include "experiment/progress.hpp"
 #include "experiment/recorded_runs.hpp"
-#include "experiment/table.hpp"
 #include "record/map_record.hpp"
 #include "record/record.hpp"
 #include "record/records_in.hpp"

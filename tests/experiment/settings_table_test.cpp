@@ -1,4 +1,4 @@
-#include "experiment/settings_table.hpp"
+#include "table/settings_table.hpp"
 
 #include <gtest/gtest.h>
 

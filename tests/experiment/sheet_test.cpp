@@ -1,4 +1,4 @@
-#include "experiment/sheet.hpp"
+#include "table/sheet.hpp"
 
 #include <gtest/gtest.h>
 

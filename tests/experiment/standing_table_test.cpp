@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "experiment/data_folder.hpp"
 #include "experiment/recorded_runs.hpp"
+#include "table/data_folder.hpp"
 
 namespace kreisel::core {
 namespace {

@@ -1,9 +1,9 @@
-#include "experiment/starts_table.hpp"
+#include "table/starts_table.hpp"
 
 #include <gtest/gtest.h>
 
-#include "experiment/data_folder.hpp"
 #include "experiment/recorded_runs.hpp"
+#include "table/data_folder.hpp"
 
 namespace kreisel::core {
 namespace {

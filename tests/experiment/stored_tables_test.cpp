@@ -5,8 +5,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "experiment/data_folder.hpp"
-#include "experiment/table.hpp"
+#include "experiment/experiment_table.hpp"
+#include "table/data_folder.hpp"
 
 namespace kreisel::core {
 namespace {

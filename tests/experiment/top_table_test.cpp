@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "experiment/data_folder.hpp"
 #include "experiment/recorded_runs.hpp"
+#include "table/data_folder.hpp"
 
 namespace kreisel::core {
 namespace {

@@ -51,7 +51,8 @@ inline void expect_derivatives(const Problem& problem, const Moments& s, double 
 
 /// That make_problem() refuses `settings` in one line with `part` and "expected" in it; quotes do not matter.
 inline void expect_refused(const std::string& name, const SettingTexts& settings, const Body& body,
-                           const std::string& part) {
+                           std::string part) {
+  std::erase(part, '\'');
   try {
     (void)make_problem(name, settings, body);
     ADD_FAILURE() << "accepted; expected: " << part;

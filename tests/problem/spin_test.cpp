@@ -235,10 +235,11 @@ void refuses(const std::string& name, const SettingTexts& settings, const std::s
 
 TEST(MakeProblem, RefusesUnknownNamesAndUnfitSettings) {
   refuses("spinn", {}, "problem 'spinn' is unknown (did you mean 'spin'?); expected one of: spin");
-  refuses("spin", {{"lamda", "1"}}, "problem.lamda = 1; spin has no setting of that name (did you mean lambda?)");
+  refuses("spin", {{"lamda", "1"}},
+          "problem.lamda = 1; spin has no setting of that name (did you mean lambda?)");
   refuses("spin", {{"lambda", "-1"}}, "problem.lambda = '-1'; expected");
   refuses("spin", {{"gamma_i", "0"}}, "problem.gamma_i = '0'; expected");
-  refuses("spin", {{"lambda", "nan"}}, "problem.lambda = nan");
+  refuses("spin", {{"lambda", "nan"}}, "problem.lambda = 'nan'");
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "experiment/data_folder.hpp"
 #include "experiment/experiment.hpp"
 #include "refusal.hpp"
+#include "table/data_folder.hpp"
 
 namespace kreisel::core {
 namespace {

@@ -1,5 +1,5 @@
 // columns.cpp - `bench columns`, and values of columns: what tables, CSV and figures call by name.
-#include "experiment/columns.hpp"
+#include "table/columns.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 
 #include "apps/bench/commands.hpp"
 #include "apps/shared/outputs.hpp"
-#include "experiment/data_folder.hpp"
-#include "experiment/row.hpp"
-#include "experiment/sheet.hpp"
 #include "file/write_text.hpp"
+#include "table/data_folder.hpp"
+#include "table/row.hpp"
+#include "table/sheet.hpp"
 
 namespace kreisel::core::bench {
 namespace {

@@ -10,10 +10,10 @@
 #include "apps/shared/program.hpp"
 #include "body/source.hpp"
 #include "error.hpp"
-#include "experiment/data_folder.hpp"
+#include "experiment/experiment_table.hpp"
 #include "experiment/runner.hpp"
-#include "experiment/table.hpp"
 #include "record/record.hpp"
+#include "table/data_folder.hpp"
 
 namespace kreisel::core::bench {
 namespace {

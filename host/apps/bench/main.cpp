@@ -14,9 +14,9 @@
 #include "apps/shared/program.hpp"
 #include "apps/shared/run_options.hpp"
 #include "error.hpp"
-#include "experiment/columns.hpp"
 #include "experiment/experiment.hpp"
 #include "session/build_info.hpp"
+#include "table/columns.hpp"
 
 namespace {
 

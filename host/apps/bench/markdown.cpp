@@ -10,7 +10,8 @@
 
 #include "apps/bench/commands.hpp"
 #include "error.hpp"
-#include "experiment/table.hpp"
+#include "experiment/experiment_table.hpp"
+#include "experiment/runner.hpp"
 #include "experiment/table_places.hpp"
 #include "file/write_text.hpp"
 

@@ -18,10 +18,11 @@
 #include "apps/shared/outputs.hpp"
 #include "device/device.hpp"
 #include "error.hpp"
-#include "experiment/data_folder.hpp"
-#include "experiment/table.hpp"
+#include "experiment/experiment_table.hpp"
+#include "experiment/runner.hpp"
 #include "record/simulation_record.hpp"
 #include "session/build_info.hpp"
+#include "table/data_folder.hpp"
 
 extern char** environ;
 

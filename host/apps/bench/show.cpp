@@ -7,7 +7,7 @@
 
 #include "apps/bench/commands.hpp"
 #include "error.hpp"
-#include "experiment/row.hpp"
+#include "table/row.hpp"
 
 namespace kreisel::core::bench {
 namespace {
