@@ -8,6 +8,7 @@
 
 #include "body/support_polygon.hpp"
 #include "geometry/rotation.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -80,6 +81,31 @@ std::optional<Index> rolls_to(const ConvexHull& hull, Index f, const Vec3& centr
   return next;
 }
 
+/// Where a body ends that begins to roll on each facet. Ways that meet go on together, so each is gone once:
+/// on a fine round hull they are as long as its facets are many.
+template <class Stable>
+std::vector<Index> ends_of_rolling(const ConvexHull& hull, const Vec3& centre, const Stable& stable) {
+  constexpr Index unknown = ~Index{0}, under_way = unknown - 1;
+  std::vector<Index> ends(hull.facets.size(), unknown), way;
+  for (Index f = 0; f < ends.size(); ++f) {
+    stop_here(f);
+    Index at = f;
+    way.clear();
+    while (ends[at] == unknown) {
+      way.push_back(at);
+      ends[at] = under_way;
+      if (stable(at)) break;
+      const auto next = rolls_to(hull, at, centre);
+      // The centre of mass falls with every facet, so none comes twice; round-off may disagree.
+      if (!next || ends[*next] == under_way) break;
+      at = *next;
+    }
+    const Index end = ends[at] == under_way ? at : ends[at];
+    for (const Index passed : way) ends[passed] = end;
+  }
+  return ends;
+}
+
 }  // namespace
 
 const ConvexHull& LazyHull::of(const std::vector<Vec3>& vertices) const {
@@ -120,6 +146,7 @@ std::vector<RestingPose> resting_poses(const ConvexHull& hull, const Vec3& centr
   std::vector<RestingPose> poses;
   for (const Index f : order) {
     if (pose_of[f] != none) continue;
+    stop_here();
     RestingPose pose{ground_around(hull, f, seen), -hull.normals[f]};
     const Eigen::Matrix3d turn = axis_to_z(pose.up);
     const SupportPolygon carried = outline(hull, pose.ground, turn);
@@ -129,15 +156,10 @@ std::vector<RestingPose> resting_poses(const ConvexHull& hull, const Vec3& centr
       if (pose_of[g] == none) pose_of[g] = static_cast<Index>(poses.size());
     poses.push_back(std::move(pose));
   }
+  const std::vector<Index> ends =
+      ends_of_rolling(hull, centre, [&](Index f) { return poses[pose_of[f]].stable; });
   for (Index f = 0; f < n; ++f) {
-    Index at = f;
-    // The centre of mass falls with every facet, so none comes twice; round-off may disagree.
-    for (std::size_t step = 0; step < n && !poses[pose_of[at]].stable; ++step) {
-      const auto next = rolls_to(hull, at, centre);
-      if (!next) break;
-      at = *next;
-    }
-    poses[pose_of[at]].probability +=
+    poses[pose_of[ends[f]]].probability +=
         solid_angle(centre, hull.corner(f, 0), hull.corner(f, 1), hull.corner(f, 2)) / (4 * std::numbers::pi);
   }
   std::ranges::stable_sort(poses, [](const RestingPose& a, const RestingPose& b) {
