@@ -82,9 +82,8 @@ Inspection inspect(Source source, const BodySpec& spec, const Control& control) 
   seen.vertices = source.mesh.vertices.size();
   seen.triangles = source.mesh.triangles.size();
   control.tell("check");
-  seen.checks = checks_of(core::inspect(source.mesh));
-  control.tell("repair");
   Surface surface = surface_of(source);
+  seen.checks = checks_of(surface.as_read());
   seen.repairs = surface.repairs().lines;
   control.tell("look for crossings");
   seen.checks["self_intersections"] = surface.crossings().size();
