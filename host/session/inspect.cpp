@@ -99,12 +99,15 @@ Inspection inspect(Source source, const BodySpec& spec, const Control& control) 
   }
   try {
     source = as_solid(std::move(source), surface, spec.model);
+    surface = Surface::as_it_is({});  // a large mesh fills the memory; what its hull takes comes on top
     control.tell("weigh");
     BodySpec upright = spec;
     upright.stands_upright = true;
     Body body = make_body(spec, std::move(source));
     seen.repairs = body.repairs;
+    body.local = {};
     kreisel::SolidReport solid = solid_of(body);
+    body.local = to_body(body.frame, body.mesh);
     add_verdicts(solid.verdicts, body, false);
     body = reposed(std::move(body), upright);  // not beside each other: a large mesh fills the memory
     add_verdicts(solid.verdicts, body, true);
