@@ -2,8 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numeric>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include "geometry/predicates.hpp"
@@ -84,12 +84,13 @@ class Quickhull {
                {.corners = {b, a, d}, .beside = {0, 3, 2}},
                {.corners = {c, b, d}, .beside = {0, 1, 3}},
                {.corners = {a, c, d}, .beside = {0, 2, 1}}};
-    hand_out(std::views::iota(Index{0}, static_cast<Index>(points_.size())), 0);
+    std::vector<Index> all(points_.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    hand_out(all, 0);
   }
 
   /// Each point to the first facet from `from` on that sees it; who is seen by none lies inside.
-  template <class Points>
-  void hand_out(const Points& points, std::size_t from) {
+  void hand_out(const std::vector<Index>& points, std::size_t from) {
     for (const Index p : points)
       for (std::size_t f = from; f < facets_.size(); ++f)
         if (sees(facets_[f], p)) {
@@ -195,10 +196,9 @@ class Quickhull {
       hull.beside.push_back(f.beside);
     }
     facets_ = {};
-    hull.normals.reserve(hull.facets.size());
     hull.vertices.reserve(hull.facets.size() / 2 + 2);  // Euler's formula
     std::vector<Index> vertex_number(points_.size(), nobody);
-    for (Triangle& t : hull.facets) {
+    for (Triangle& t : hull.facets)
       for (Index& v : t) {
         Index& number = vertex_number[v];
         if (number == nobody) {
@@ -207,9 +207,6 @@ class Quickhull {
         }
         v = number;
       }
-      const Vec3 &a = hull.vertices[t[0]], &b = hull.vertices[t[1]], &c = hull.vertices[t[2]];
-      hull.normals.push_back((b - a).cross(c - a).normalized());
-    }
     return hull;
   }
 
