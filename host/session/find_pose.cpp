@@ -325,7 +325,8 @@ FoundPoses find_poses(Session& session, const RunConfig& config, const Control& 
   const ProblemEntry& asked = find_problem(config.problem);
   if (config.free && asked.poses == Poses::none)
     throw InputError(
-        fmt::format("a pose of {} that is to be found; expected a direction, for {} is asked in one pose",
+        fmt::format("the pose for problem {} is to be found (--up auto or near:); expected a direction, as "
+                    "{} has one pose",
                     asked.name, asked.name));
   control.tell("look for a pose");
   RunConfig open = config;

@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"--up around", "expected x,y,z, auto, near:x,y,z or rest:N"},
         Mistake{"--stem 0", "--stem 0 mm; expected > 0"}, Mistake{"--tip 1,2,3", "a radius and a height R,H"},
         Mistake{"--stem 1 --tip 2", "expected a tip that is no wider"},
-        Mistake{"--problem float --stem 1", "a stem or a tip of what does not spin on a point"},
+        Mistake{"--problem float --stem 1", "--stem or --tip for a problem that does not spin on a point"},
         Mistake{"--problem stand --model kitten --flatten 80",
                 "--flatten 80 mm of a body that is 59.99 mm high"},
         Mistake{"--problem stand --model ellipsoid --set problem.base=0%", "has no base to stand on: 1 of"},
