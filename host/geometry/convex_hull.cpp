@@ -38,9 +38,9 @@ class Quickhull {
       }
       stop_here();
       grow(f);
-      if (gone_ > facets_.size() / 4) f = tidy(f);
+      if (gone_ > facets_.size() / 8) f = tidy(f);
     }
-    next_ = {};
+    next_ = std::vector<Index>();
     (void)tidy(0);
     return result();
   }
@@ -195,7 +195,7 @@ class Quickhull {
       hull.facets.push_back(f.corners);
       hull.beside.push_back(f.beside);
     }
-    facets_ = {};
+    facets_ = std::vector<Facet>();                     // {} would keep the room
     hull.vertices.reserve(hull.facets.size() / 2 + 2);  // Euler's formula
     std::vector<Index> vertex_number(points_.size(), nobody);
     for (Triangle& t : hull.facets)

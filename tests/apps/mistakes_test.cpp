@@ -58,6 +58,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "ipopt.output_file = /no/such/folder/log cannot be written"},
         Mistake{"--resolution 16 --set ipopt.option_file_name=my.opt",
                 "ipopt.option_file_name = my.opt is not read; expected each option as ipopt.NAME"},
+        Mistake{"--solver slsqp --formulation octree --level 3",
+                "expected as many cells at least: a higher --level"},
         Mistake{"--set solver.start=nowhere", "expected lower, middle or upper"},
         Mistake{"--set problem.lambda=-1", "expected lambda >= 0"},
         Mistake{"--formulation nosuch", "expected one of"},
