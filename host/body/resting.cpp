@@ -161,8 +161,8 @@ std::optional<Ground> ground_of(const ConvexHull& hull, const Vec3& up) {
 
 std::vector<RestingPose> resting_poses(const ConvexHull& hull, const Vec3& centre) {
   const std::size_t n = hull.facets.size();
-  const std::vector<Vec3> normals = normals_of(hull);
   const std::vector<Index> order = largest_first(hull);
+  const std::vector<Vec3> normals = normals_of(hull);
   constexpr Index none = ~Index{0};
   std::vector<Index> pose_of(n, none);
   std::vector<std::uint8_t> seen(n, 0);
