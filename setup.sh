@@ -9,9 +9,9 @@ packages=(
   g++ cmake ninja-build git pkg-config                                # build
   opencl-clhpp-headers ocl-icd-opencl-dev pocl-opencl-icd             # OpenCL and its CPU device
   libeigen3-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
-  lib3mf-dev libembree-dev libhdf5-dev
+  libembree-dev libhdf5-dev
   libmuparser-dev                                                     # arithmetic in columns of tables
-  libarchive-dev                                                      # unpacks 3MF packages and the real meshes
+  libarchive-dev                                                      # packs and unpacks 3MF packages, and the real meshes
   libexpat1-dev                                                       # XML of 3MF packages
   coinor-libipopt-dev libopenblas0-pthread                            # Ipopt with MUMPS; OpenBLAS speeds MUMPS up
   libnlopt-dev                                                        # SLSQP, for small octrees

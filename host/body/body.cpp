@@ -49,11 +49,13 @@ void require_valid(const BodySpec& spec) {
         spec.void_density, interior));
   (void)axle_of(spec.axle);
   if (stem_of(spec.stem) && (spec.stands_upright || spec.centred))
-    throw InputError("a stem or a tip of what does not spin on a point; expected problem spin or top");
+    throw InputError(
+        "--stem or --tip for a problem that does not spin on a point; expected --problem spin or top");
   if (spec.flatten && (!(*spec.flatten > 0) || !std::isfinite(*spec.flatten)))
     throw InputError(fmt::format("--flatten {} mm; expected > 0", *spec.flatten));
   if (spec.axle.radius && !spec.centred)
-    throw InputError(fmt::format("axle {} mm; expected problem yoyo, others have none", *spec.axle.radius));
+    throw InputError(fmt::format("--axle {} mm for a problem without an axle; expected --problem yoyo",
+                                 *spec.axle.radius));
   if (spec.size && (!(*spec.size > 0) || !std::isfinite(*spec.size)))
     throw InputError(fmt::format("size {} mm; expected > 0", *spec.size));
 }

@@ -8,6 +8,8 @@
 
 #include "body/support_polygon.hpp"
 #include "geometry/rotation.hpp"
+#include "parallel.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -17,25 +19,44 @@ using Index = std::uint32_t;
 const double joins_cosine = std::cos(ground_degrees * std::numbers::pi / 180);
 const double bends_cosine = std::cos(10 * std::numbers::pi / 180);
 
+/// They are asked for several times each; a hull that is kept has no room for them.
+std::vector<Vec3> normals_of(const ConvexHull& hull) {
+  std::vector<Vec3> normals(hull.facets.size());
+  parallel_for(normals.size(), 1 << 14, [&](std::size_t f) { normals[f] = hull.normal(f); });
+  return normals;
+}
+
 double area_of(const ConvexHull& hull, std::size_t f) {
   const Vec3 &a = hull.corner(f, 0), &b = hull.corner(f, 1), &c = hull.corner(f, 2);
   return (b - a).cross(c - a).norm() / 2;
 }
 
-/// Whether facet f lies in the plane of `of`, as far as a ground goes.
-bool joins(const ConvexHull& hull, std::size_t f, std::size_t of) {
-  const Vec3& n = hull.normals[of];
-  if (hull.normals[f].dot(n) < joins_cosine) return false;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (n.dot(hull.corner(of, 0) - hull.corner(f, k)) > ground_play) return false;
+/// Whether facet f lies in the plane of the ground, as far as one goes; `by` is beside it and does.
+bool joins(const ConvexHull& hull, const Vec3& normal, std::size_t f, std::size_t by, const Ground& ground) {
+  const Vec3& n = ground.down;
+  if (normal.dot(n) < joins_cosine) return false;
+  const Triangle& known = hull.facets[by];
+  for (const std::uint32_t v : hull.facets[f])
+    if (v != known[0] && v != known[1] && v != known[2])
+      return n.dot(hull.corner(ground.facets[0], 0) - hull.vertices[v]) <= ground_play;
   return true;
 }
 
+std::vector<Index> largest_first(const ConvexHull& hull) {
+  std::vector<double> areas(hull.facets.size());
+  for (std::size_t f = 0; f < areas.size(); ++f) areas[f] = area_of(hull, f);
+  std::vector<Index> order(areas.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::stable_sort(order, std::greater<>{}, [&](Index f) { return areas[f]; });
+  return order;
+}
+
 /// Of the facets that reach each other from `from`, those that join its plane. Convex, so they hang together.
-Ground ground_around(const ConvexHull& hull, Index from, std::vector<std::uint8_t>& seen) {
+Ground ground_around(const ConvexHull& hull, const std::vector<Vec3>& normals, Index from,
+                     std::vector<std::uint8_t>& seen) {
   Ground ground;
   ground.facets = {from};
-  ground.down = hull.normals[from];
+  ground.down = normals[from];
   seen[from] = 1;
   double rim = 0, round = 0;
   for (std::size_t i = 0; i < ground.facets.size(); ++i) {
@@ -43,14 +64,14 @@ Ground ground_around(const ConvexHull& hull, Index from, std::vector<std::uint8_
     for (std::size_t k = 0; k < 3; ++k) {
       const Index next = hull.beside[f][k];
       if (seen[next]) continue;
-      if (joins(hull, next, from)) {
+      if (joins(hull, normals[next], next, f, ground)) {
         seen[next] = 1;
         ground.facets.push_back(next);
         continue;
       }
       const double length = (hull.corner(f, (k + 1) % 3) - hull.corner(f, k)).norm();
       rim += length;
-      if (hull.normals[next].dot(ground.down) > bends_cosine) round += length;
+      if (normals[next].dot(ground.down) > bends_cosine) round += length;
     }
   }
   for (const Index f : ground.facets) seen[f] = 0;
@@ -60,24 +81,55 @@ Ground ground_around(const ConvexHull& hull, Index from, std::vector<std::uint8_
 
 /// The corners of a ground, seen from above, z along up.
 SupportPolygon outline(const ConvexHull& hull, const Ground& ground, const Eigen::Matrix3d& turn) {
-  std::vector<Vec2> points;
+  std::vector<Index> corners;
   for (const Index f : ground.facets)
-    for (std::size_t k = 0; k < 3; ++k) points.emplace_back((turn * hull.corner(f, k)).head<2>());
+    corners.insert(corners.end(), hull.facets[f].begin(), hull.facets[f].end());
+  std::ranges::sort(corners);
+  const auto repeated = std::ranges::unique(corners);
+  corners.erase(repeated.begin(), repeated.end());
+  std::vector<Vec2> points;
+  for (const Index v : corners) points.emplace_back((turn * hull.vertices[v]).head<2>());
   return hull_of(std::move(points));
 }
 
 /// Across which edge of facet f a body falls whose centre of mass is over none of what carries it: the one
 /// that it is farthest outside of. Nothing where it is over f.
-std::optional<Index> rolls_to(const ConvexHull& hull, Index f, const Vec3& centre) {
+std::optional<Index> rolls_to(const ConvexHull& hull, const Vec3& normal, Index f, const Vec3& centre) {
   double farthest = 0;
   std::optional<Index> next;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 &a = hull.corner(f, k), &b = hull.corner(f, (k + 1) % 3);
-    const Vec3 outward = (b - a).cross(hull.normals[f]).normalized();
+    const Vec3 outward = (b - a).cross(normal).normalized();
     const double out = outward.dot(centre - a);
     if (out > farthest) farthest = out, next = hull.beside[f][k];
   }
   return next;
+}
+
+/// Where a body ends that begins to roll on each facet. Ways that meet go on together, so each is gone once:
+/// on a fine round hull they are as long as its facets are many.
+template <class Stable>
+std::vector<Index> ends_of_rolling(const ConvexHull& hull, const std::vector<Vec3>& normals,
+                                   const Vec3& centre, const Stable& stable) {
+  constexpr Index unknown = ~Index{0}, under_way = unknown - 1;
+  std::vector<Index> ends(hull.facets.size(), unknown), way;
+  for (Index f = 0; f < ends.size(); ++f) {
+    stop_here(f);
+    Index at = f;
+    way.clear();
+    while (ends[at] == unknown) {
+      way.push_back(at);
+      ends[at] = under_way;
+      if (stable(at)) break;
+      const auto next = rolls_to(hull, normals[at], at, centre);
+      // The centre of mass falls with every facet, so none comes twice; round-off may disagree.
+      if (!next || ends[*next] == under_way) break;
+      at = *next;
+    }
+    const Index end = ends[at] == under_way ? at : ends[at];
+    for (const Index passed : way) ends[passed] = end;
+  }
+  return ends;
 }
 
 }  // namespace
@@ -94,52 +146,46 @@ double solid_angle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 std::optional<Ground> ground_of(const ConvexHull& hull, const Vec3& up) {
+  const std::vector<Vec3> normals = normals_of(hull);
   std::vector<std::uint8_t> seen(hull.facets.size(), 0);
   std::optional<Ground> best;
   double largest = -1;
   for (Index f = 0; f < hull.facets.size(); ++f) {
     const double area = area_of(hull, f);
-    if (hull.normals[f].dot(-up) < joins_cosine || area <= largest) continue;
+    if (normals[f].dot(-up) < joins_cosine || area <= largest) continue;
     largest = area;
-    best = ground_around(hull, f, seen);
+    best = ground_around(hull, normals, f, seen);
   }
   return best;
 }
 
 std::vector<RestingPose> resting_poses(const ConvexHull& hull, const Vec3& centre) {
   const std::size_t n = hull.facets.size();
-  std::vector<double> areas(n);
-  for (std::size_t f = 0; f < n; ++f) areas[f] = area_of(hull, f);
-  std::vector<Index> order(n);
-  std::iota(order.begin(), order.end(), Index{0});
-  std::ranges::stable_sort(order, std::greater<>{}, [&](Index f) { return areas[f]; });
-
+  const std::vector<Index> order = largest_first(hull);
+  const std::vector<Vec3> normals = normals_of(hull);
   constexpr Index none = ~Index{0};
   std::vector<Index> pose_of(n, none);
   std::vector<std::uint8_t> seen(n, 0);
   std::vector<RestingPose> poses;
   for (const Index f : order) {
     if (pose_of[f] != none) continue;
-    RestingPose pose{ground_around(hull, f, seen), -hull.normals[f]};
-    const Eigen::Matrix3d turn = axis_to_z(pose.up);
-    const SupportPolygon carried = outline(hull, pose.ground, turn);
-    pose.stable = !carried.corners.empty() && carried.inside((turn * centre).head<2>()) > 0;
-    pose.area = carried.area;
-    for (const Index g : pose.ground.facets)
+    stop_here();
+    const Ground ground = ground_around(hull, normals, f, seen);
+    for (const Index g : ground.facets)
       if (pose_of[g] == none) pose_of[g] = static_cast<Index>(poses.size());
-    poses.push_back(std::move(pose));
+    const Vec3 up = -ground.down;
+    const Eigen::Matrix3d turn = axis_to_z(up);
+    const SupportPolygon carried = outline(hull, ground, turn);
+    poses.push_back({.facet = f,
+                     .up = up,
+                     .area = carried.area,
+                     .inside = carried.corners.empty() ? 0 : carried.inside((turn * centre).head<2>())});
   }
-  for (Index f = 0; f < n; ++f) {
-    Index at = f;
-    // The centre of mass falls with every facet, so none comes twice; round-off may disagree.
-    for (std::size_t step = 0; step < n && !poses[pose_of[at]].stable; ++step) {
-      const auto next = rolls_to(hull, at, centre);
-      if (!next) break;
-      at = *next;
-    }
-    poses[pose_of[at]].probability +=
+  const std::vector<Index> ends =
+      ends_of_rolling(hull, normals, centre, [&](Index f) { return poses[pose_of[f]].stable(); });
+  for (Index f = 0; f < n; ++f)
+    poses[pose_of[ends[f]]].probability +=
         solid_angle(centre, hull.corner(f, 0), hull.corner(f, 1), hull.corner(f, 2)) / (4 * std::numbers::pi);
-  }
   std::ranges::stable_sort(poses, [](const RestingPose& a, const RestingPose& b) {
     return a.probability != b.probability ? a.probability > b.probability : a.area > b.area;
   });

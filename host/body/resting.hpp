@@ -46,14 +46,16 @@ constexpr double ground_degrees = 0.5;
 
 /// One way of lying.
 struct RestingPose {
-  Ground ground;
-  Vec3 up;          ///< of length 1
-  double area = 0;  ///< of the facets that carry it
-  /// Whether the centre of mass is over what carries it.
-  bool stable = false;
+  std::uint32_t facet = 0;  ///< that it lies on, the largest of those that carry it
+  Vec3 up;                  ///< of length 1
+  double area = 0;          ///< of the facets that carry it
+  double inside = 0;  ///< how far the centre of mass is from the edge of what carries it; negative: beside it
   /// That the body, dropped from any orientation alike without a bounce, ends so: the share of the sphere,
   /// seen from the centre of mass, that its facets cover, with those from which it rolls on to them.
   double probability = 0;
+
+  /// Whether the centre of mass is over what carries it.
+  [[nodiscard]] bool stable() const { return inside > 0; }
 };
 
 /// All grounds of a hull, the most probable first, equally probable ones by their area. Probabilities sum

@@ -93,7 +93,7 @@ class Covering {
         const auto twin = owner_.find(key_of({e.second, e.first}));
         if (twin == owner_.end()) {
           if (!after_.emplace(e.first, e.second).second)
-            refuse_stem(stem_, "what it would cover touches itself");
+            refuse_stem(stem_, "the part of the surface that it would cover touches itself");
         } else if (!cover_.covered[twin->second]) {
           cover_.covered[twin->second] = true;
           patch_.push_back(twin->second);
@@ -103,24 +103,24 @@ class Covering {
 
   /// One ring around the axis, clockwise seen from above, at every place a single height.
   void follow_rim() {
-    if (after_.empty()) refuse_stem(stem_, "the body is thinner than it");
+    if (after_.empty()) refuse_stem(stem_, "the body is thinner there than the stem");
     const Number start = after_.begin()->first;
     Number at = start;
     double turned = 0;
     do {
       const auto next = after_.find(at);
       if (next == after_.end() || cover_.rim.size() == after_.size())
-        refuse_stem(stem_, "what it would cover is not one patch");
+        refuse_stem(stem_, "the part of the surface that it would cover is in several pieces");
       cover_.rim.push_back(at);
       const Vec2 u = mesh_.vertices[at].head<2>(), v = mesh_.vertices[next->second].head<2>();
       const double angle = std::atan2(cross(u, v), u.dot(v));
-      if (!(angle < 0)) refuse_stem(stem_, "the surface overhangs where it would begin");
+      if (!(angle < 0)) refuse_stem(stem_, "the surface overhangs where the stem would begin");
       turned += angle;
       at = next->second;
     } while (at != start);
     const bool once = std::abs(turned + 2 * std::numbers::pi) < 1e-3;
     if (cover_.rim.size() != after_.size() || !once)
-      refuse_stem(stem_, "what it would cover is not one patch");
+      refuse_stem(stem_, "the part of the surface that it would cover is in several pieces");
   }
 
   /// Nothing else of the surface is within the peg.

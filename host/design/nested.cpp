@@ -178,7 +178,7 @@ class Builder {
 double wall_of(const Wall& wall, double size) {
   if (wall.unit == Wall::cells)
     throw InputError(
-        fmt::format("a wall of {}; expected mm, or percent of the longest side", to_string(wall)));
+        fmt::format("--wall {}; expected a number of mm, or percent of the longest side", to_string(wall)));
   return wall.unit == Wall::percent ? 0.01 * wall.value * size : wall.value;
 }
 

@@ -267,8 +267,8 @@ TriangleMesh drained(const TriangleMesh& outer, const TriangleMesh& cavity, cons
     const auto end = mouth ? cut_disc(mesh, bore, radius, 0.1 * radius, 1, drain.along) : std::nullopt;
     if (!mouth || !end)
       throw InputError(
-          fmt::format("a drain hole of {:.3g} mm radius at {:.4g} mm: expected both sides of the wall to be "
-                      "even there",
+          fmt::format("a drain hole of {:.3g} mm radius at {:.4g} mm, where the wall is not even; expected "
+                      "a smaller --drain",
                       radius, fmt::join(drain.from, ",")));
     add_wall(mesh, bore, *mouth, *end);
   }

@@ -69,7 +69,8 @@ std::vector<WrittenMaterial> write_parts(const std::filesystem::path& path,
     std::vector<TriangleMesh> surfaces = laid_surfaces(part);
     if (!move.isZero(0))
       for (TriangleMesh& surface : surfaces) surface = moved(std::move(surface), Eigen::Translation3d(move));
-    objects.push_back({fmt::format("{}, {} g/cm^3", part.name, part.density), std::move(surfaces)});
+    objects.push_back({fmt::format("{}, {} g/cm^3", part.name, part.density), std::move(surfaces),
+                       is_laid(part) ? std::nullopt : std::optional(part.place)});
     written.push_back({part.name, part.density, file_of_part(path, part.name), 0, 0,
                        Eigen::Translation3d(move) * part.laid, move});
   }
@@ -97,7 +98,7 @@ TriangleMesh WrittenReader::next(WrittenMaterial& material) {
     next_ = 0;
   }
   if (next_ == objects_.size())
-    throw InputError(fmt::format("{}: {} objects, expected one more", open_.string(), next_));
+    throw InputError(fmt::format("{}: holds {} objects, expected one for each part", open_.string(), next_));
   TriangleMesh mesh = moved(std::move(objects_[next_++]), material.laid.inverse());
   material.triangles = mesh.triangles.size();
   // STL has no vertices of its own: where parts of the body touch along an edge, theirs became one.

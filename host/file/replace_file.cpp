@@ -124,7 +124,8 @@ void copy_into(const fs::path& from, const fs::path& path) {
   const auto refuse = [&] {
     const std::string why = std::strerror(errno);
     if (to >= 0) ::close(to);
-    throw InputError(fmt::format("{}: {}, expected one that takes what is written", path.string(), why));
+    throw InputError(fmt::format(
+        "{}: cannot be written ({}), expected a file, pipe or device that takes data", path.string(), why));
   };
   if (to < 0) refuse();
   std::ifstream in(from, std::ios::binary);

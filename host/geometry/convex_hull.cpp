@@ -2,34 +2,46 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "geometry/predicates.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
 
 using Index = std::uint32_t;
-constexpr Index nobody = ~Index{0};
+constexpr Index nobody = ~Index{0}, gone = nobody - 1;
 
 struct Facet {
   Triangle corners;
   std::array<Index, 3> beside{nobody, nobody, nobody};
-  std::vector<Index> outside{};  ///< points that it sees, each kept by one facet
-  bool gone = false;
+  /// Points that it sees, each kept by one facet: the first, and from there by the chain of all points.
+  Index first = nobody;
+  Index last = nobody;  ///< `gone` of what is no facet any more
 };
 
 class Quickhull {
  public:
-  explicit Quickhull(std::span<const Vec3> points) : points_(points) {}
+  explicit Quickhull(std::span<const Vec3> points) : points_(points), next_(points.size()) {}
 
   [[nodiscard]] ConvexHull run() {
     const auto first = first_tetrahedron();
     if (!first) return {};
     begin(*first);
-    for (std::size_t f = 0; f < facets_.size(); ++f)
-      if (!facets_[f].gone && !facets_[f].outside.empty()) grow(static_cast<Index>(f));
+    for (Index f = 0; f < facets_.size();) {
+      if (facets_[f].last == gone || facets_[f].first == nobody) {
+        ++f;
+        continue;
+      }
+      stop_here();
+      grow(f);
+      if (gone_ > facets_.size() / 8) f = tidy(f);
+    }
+    next_ = std::vector<Index>();
+    (void)tidy(0);
     return result();
   }
 
@@ -73,7 +85,7 @@ class Quickhull {
                {.corners = {c, b, d}, .beside = {0, 1, 3}},
                {.corners = {a, c, d}, .beside = {0, 2, 1}}};
     std::vector<Index> all(points_.size());
-    for (Index i = 0; i < all.size(); ++i) all[i] = i;
+    std::iota(all.begin(), all.end(), Index{0});
     hand_out(all, 0);
   }
 
@@ -82,9 +94,37 @@ class Quickhull {
     for (const Index p : points)
       for (std::size_t f = from; f < facets_.size(); ++f)
         if (sees(facets_[f], p)) {
-          facets_[f].outside.push_back(p);
+          keep(facets_[f], p);
           break;
         }
+  }
+
+  void keep(Facet& facet, Index point) {
+    (facet.first == nobody ? facet.first : next_[facet.last]) = point;
+    facet.last = point;
+    next_[point] = nobody;
+  }
+
+  void remove(Facet& facet) {
+    facet.last = gone;
+    ++gone_;
+  }
+
+  /// Leaves out the facets that are gone, or there would be several times as many as the hull has. The others
+  /// stay in their order. @return  the new number of the first one that is left from `from` on
+  Index tidy(Index from) {
+    std::vector<Index> number(facets_.size());
+    Index kept = 0, first = 0;
+    for (Index f = 0; f < facets_.size(); ++f) {
+      if (f == from) first = kept;
+      number[f] = kept;
+      if (facets_[f].last != gone) facets_[kept++] = facets_[f];
+    }
+    facets_.resize(kept);
+    for (Facet& f : facets_)
+      for (Index& b : f.beside) b = number[b];
+    gone_ = 0;
+    return first;
   }
 
   struct HorizonEdge {
@@ -99,26 +139,24 @@ class Quickhull {
       int entered, done;
     };
     std::vector<Step> stack = {{facet, 0, -1}};
-    facets_[facet].gone = true;
+    remove(facets_[facet]);
     while (!stack.empty()) {
       Step& step = stack.back();
       if (++step.done == 3) {
-        std::vector<Index>& mine = facets_[step.facet].outside;
-        points.insert(points.end(), mine.begin(), mine.end());
-        mine = {};
+        for (Index p = facets_[step.facet].first; p != nobody; p = next_[p]) points.push_back(p);
         stack.pop_back();
         continue;
       }
       const int k = (step.entered + step.done) % 3;
       const Facet& here = facets_[step.facet];
       const Index next = here.beside[static_cast<std::size_t>(k)];
-      if (facets_[next].gone) continue;
+      if (facets_[next].last == gone) continue;
       if (!sees(facets_[next], point)) {
         rim.push_back({here.corners[static_cast<std::size_t>(k)],
                        here.corners[static_cast<std::size_t>((k + 1) % 3)], next});
         continue;
       }
-      facets_[next].gone = true;
+      remove(facets_[next]);
       const Index from = step.facet;
       const auto at = std::ranges::find(facets_[next].beside, from) - facets_[next].beside.begin();
       stack.push_back({next, static_cast<int>(at), -1});
@@ -126,9 +164,10 @@ class Quickhull {
   }
 
   void grow(Index facet) {
-    const std::vector<Index>& seen = facets_[facet].outside;
-    const Index point =
-        *std::ranges::max_element(seen, {}, [&](Index p) { return height(facets_[facet], p); });
+    Index point = facets_[facet].first;
+    double most = height(facets_[facet], point);
+    for (Index p = next_[point]; p != nobody; p = next_[p])
+      if (const double h = height(facets_[facet], p); h > most) most = h, point = p;
     std::vector<Index> points;
     std::vector<HorizonEdge> rim;
     go(facet, point, points, rim);
@@ -147,32 +186,34 @@ class Quickhull {
     hand_out(points, first);
   }
 
-  [[nodiscard]] ConvexHull result() const {
+  /// @pre  tidy
+  [[nodiscard]] ConvexHull result() {
     ConvexHull hull;
-    std::vector<Index> facet_number(facets_.size(), nobody), vertex_number(points_.size(), nobody);
-    Index count = 0;
-    for (std::size_t f = 0; f < facets_.size(); ++f)
-      if (!facets_[f].gone) facet_number[f] = count++;
+    hull.facets.reserve(facets_.size());
+    hull.beside.reserve(facets_.size());
     for (const Facet& f : facets_) {
-      if (f.gone) continue;
-      Triangle& t = hull.facets.emplace_back(f.corners);
+      hull.facets.push_back(f.corners);
+      hull.beside.push_back(f.beside);
+    }
+    facets_ = std::vector<Facet>();                     // {} would keep the room
+    hull.vertices.reserve(hull.facets.size() / 2 + 2);  // Euler's formula
+    std::vector<Index> vertex_number(points_.size(), nobody);
+    for (Triangle& t : hull.facets)
       for (Index& v : t) {
-        if (vertex_number[v] == nobody) {
-          vertex_number[v] = static_cast<Index>(hull.vertices.size());
+        Index& number = vertex_number[v];
+        if (number == nobody) {
+          number = static_cast<Index>(hull.vertices.size());
           hull.vertices.push_back(points_[v]);
         }
-        v = vertex_number[v];
+        v = number;
       }
-      hull.beside.push_back(
-          {facet_number[f.beside[0]], facet_number[f.beside[1]], facet_number[f.beside[2]]});
-      const Vec3 &a = hull.vertices[t[0]], &b = hull.vertices[t[1]], &c = hull.vertices[t[2]];
-      hull.normals.push_back((b - a).cross(c - a).normalized());
-    }
     return hull;
   }
 
   std::span<const Vec3> points_;
+  std::vector<Index> next_;  ///< of each point that a facet keeps
   std::vector<Facet> facets_;
+  std::size_t gone_ = 0;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // convex_hull.hpp - the smallest convex solid around points of space.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -16,10 +17,14 @@ struct ConvexHull {
   std::vector<Triangle> facets;  ///< counter-clockwise seen from outside
   /// Of each facet the three beside it: the k-th across the edge from its corner k to its corner k + 1.
   std::vector<std::array<std::uint32_t, 3>> beside;
-  std::vector<Vec3> normals;  ///< outward, of unit length
 
   [[nodiscard]] const Vec3& corner(std::size_t facet, std::size_t k) const {
     return vertices[facets[facet][k]];
+  }
+  /// Outward, of unit length.
+  [[nodiscard]] Vec3 normal(std::size_t facet) const {
+    const Vec3& a = corner(facet, 0);
+    return (corner(facet, 1) - a).cross(corner(facet, 2) - a).normalized();
   }
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 bool is_inside(const ConvexHull& hull, const Vec3& p) {
   for (std::size_t f = 0; f < hull.facets.size(); ++f)
-    if (hull.normals[f].dot(p - hull.corner(f, 0)) >= 0) return false;
+    if (hull.normal(f).dot(p - hull.corner(f, 0)) >= 0) return false;
   return true;
 }
 
@@ -33,7 +33,6 @@ double unfairness(const ConvexHull& hull, const Vec3& centre, std::size_t faces)
 ConvexHull hull_of_body(const Body& body) {
   ConvexHull hull = body.hull.of(body.mesh.vertices);
   for (Vec3& v : hull.vertices) v = body.frame.to_body(v);
-  for (Vec3& n : hull.normals) n = body.frame.rotation * n;
   return hull;
 }
 
@@ -48,7 +47,7 @@ Vec3 way(const Vec3& start, const Vec3& fairest) {
 std::vector<double> face_shares(const ConvexHull& hull, const Vec3& centre) {
   std::vector<double> shares;
   for (const RestingPose& pose : resting_poses(hull, centre))
-    if (pose.stable) shares.push_back(pose.probability);
+    if (pose.stable()) shares.push_back(pose.probability);
   return shares;
 }
 

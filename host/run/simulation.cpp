@@ -146,8 +146,8 @@ const ProblemEntry& moving_problem(const std::string& name) {
   std::vector<std::string_view> moving;
   for (const ProblemEntry& other : problems())
     if (other.moves != Moves::nothing) moving.push_back(other.name);
-  throw InputError(
-      fmt::format("nothing of the problem '{}' moves; expected one of: {}", name, fmt::join(moving, ", ")));
+  throw InputError(fmt::format("there is no motion to simulate for problem '{}'; expected one of: {}", name,
+                               fmt::join(moving, ", ")));
 }
 
 /// @param still  nothing is set in motion where no speed is given; else one is found
@@ -156,8 +156,8 @@ Simulation simulated(const Subject& subject, const SimulationSpec& spec, bool st
   const RunConfig& config = subject.config;
   const ProblemEntry& asked = moving_problem(config.problem);
   if (spec.axle_mm != 0 && (!asked.centred || !(spec.axle_mm > 0)))
-    throw InputError(fmt::format("an axle of radius {} mm for {}; expected one > 0 for yoyo", spec.axle_mm,
-                                 config.problem));
+    throw InputError(fmt::format("--axle {} mm for problem {}; expected a radius > 0, with problem yoyo",
+                                 spec.axle_mm, config.problem));
   Simulation result;
   static_cast<RunConfig&>(result.config) = config;
   result.config.motion = spec;

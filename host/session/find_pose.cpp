@@ -326,9 +326,9 @@ FoundPoses flattened_least(Session& session, RunConfig config, const Control& co
 FoundPoses find_poses(Session& session, const RunConfig& config, const Control& control) {
   const ProblemEntry& asked = find_problem(config.problem);
   if (config.free && asked.poses == Poses::none)
-    throw InputError(
-        fmt::format("a pose of {} that is to be found; expected a direction, for {} is asked in one pose",
-                    asked.name, asked.name));
+    throw InputError(fmt::format(
+        "problem {} with a pose that is to be found; expected a direction, for {} is asked in one pose",
+        asked.name, asked.name));
   control.tell("look for a pose");
   RunConfig open = config;
   if (open.free || !open.flatten) {

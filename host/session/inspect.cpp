@@ -5,9 +5,7 @@
 #include <vector>
 
 #include "body/moments.hpp"
-#include "body/support_polygon.hpp"
 #include "error.hpp"
-#include "geometry/rotation.hpp"
 #include "mesh/solid/check.hpp"
 #include "physics/units.hpp"
 #include "problem/problem.hpp"
@@ -43,12 +41,7 @@ void add_verdicts(std::map<std::string, Verdict>& all, const Body& body, bool up
 
 /// The tilt by which a body topples that lies so, degrees. @param centre  of mass
 double topples_at(const ConvexHull& hull, const RestingPose& pose, const Vec3& centre) {
-  const Eigen::Matrix3d turn = axis_to_z(pose.up);
-  std::vector<Vec2> corners;
-  for (const std::uint32_t f : pose.ground.facets)
-    for (std::size_t k = 0; k < 3; ++k) corners.emplace_back((turn * hull.corner(f, k)).head<2>());
-  const double inside = hull_of(std::move(corners)).inside((turn * centre).head<2>());
-  return degrees(std::atan2(inside, pose.up.dot(centre - hull.corner(pose.ground.facets[0], 0))));
+  return degrees(std::atan2(pose.inside, pose.up.dot(centre - hull.corner(pose.facet, 0))));
 }
 
 kreisel::SolidReport solid_of(const Body& body) {
@@ -67,7 +60,7 @@ kreisel::SolidReport solid_of(const Body& body) {
   s.axes = principal.axes;
   const ConvexHull& hull = body.hull.of(body.mesh.vertices);
   for (const RestingPose& pose : resting_poses(hull, s.centre))
-    if (pose.stable)
+    if (pose.stable())
       s.rests.push_back(
           {pose.up + Vec3::Zero(), pose.probability, topples_at(hull, pose, s.centre), pose.area});
   return s;
@@ -82,9 +75,8 @@ Inspection inspect(Source source, const BodySpec& spec, const Control& control) 
   seen.vertices = source.mesh.vertices.size();
   seen.triangles = source.mesh.triangles.size();
   control.tell("check");
-  seen.checks = checks_of(core::inspect(source.mesh));
-  control.tell("repair");
   Surface surface = surface_of(source);
+  seen.checks = checks_of(surface.as_read());
   seen.repairs = surface.repairs().lines;
   control.tell("look for crossings");
   seen.checks["self_intersections"] = surface.crossings().size();
@@ -100,12 +92,15 @@ Inspection inspect(Source source, const BodySpec& spec, const Control& control) 
   }
   try {
     source = as_solid(std::move(source), surface, spec.model);
+    surface = Surface::as_it_is({});  // a large mesh fills the memory; what its hull takes comes on top
     control.tell("weigh");
     BodySpec upright = spec;
     upright.stands_upright = true;
     Body body = make_body(spec, std::move(source));
     seen.repairs = body.repairs;
+    body.local = {};
     kreisel::SolidReport solid = solid_of(body);
+    body.local = to_body(body.frame, body.mesh);
     add_verdicts(solid.verdicts, body, false);
     body = reposed(std::move(body), upright);  // not beside each other: a large mesh fills the memory
     add_verdicts(solid.verdicts, body, true);

@@ -33,7 +33,7 @@ std::vector<std::string> cases_of(const MapSpec& spec, const MapCases& cases) {
     return spec.drafts;
   }
   if (!spec.drafts.empty())
-    throw InputError(fmt::format("drafts for {}; expected --problem float", spec.config.problem));
+    throw InputError(fmt::format("drafts for the problem {}; expected --problem float", spec.config.problem));
   return {""};
 }
 
@@ -106,8 +106,9 @@ const ProblemEntry& checked_problem(const MapSpec& spec) {
     std::vector<std::string_view> mapped;
     for (const ProblemEntry& other : problems())
       if (other.poses == Poses::any) mapped.push_back(other.name);
-    throw InputError(fmt::format("a map of {}; expected a problem that any direction will do for: {}",
-                                 asked.name, fmt::join(mapped, ", ")));
+    throw InputError(
+        fmt::format("a map of the problem {}; expected one that can be asked for any direction: {}",
+                    asked.name, fmt::join(mapped, ", ")));
   }
   if (spec.axes.empty()) throw InputError("a map without axes; expected one or more");
   for (const Vec3& axis : spec.axes)

@@ -20,7 +20,7 @@ std::vector<RestingPose> grounds_of(const Body& body) {
 Vec3 nth_rest(const Body& body, int number) {
   int stable = 0;
   for (const RestingPose& pose : grounds_of(body))
-    if (pose.stable && ++stable == number) return pose.up;
+    if (pose.stable() && ++stable == number) return pose.up;
   throw InputError(fmt::format("--up rest:{} of {}, which comes to rest in {} ways; expected 1 to {}", number,
                                body.name, stable, stable));
 }
@@ -33,7 +33,7 @@ std::vector<Vec3> ways_to_lie(const Body& body, std::size_t most) {
   const ConvexHull& hull = body.hull.of(body.mesh.vertices);
   for (const RestingPose& pose : grounds_of(body)) {
     if (pose.area < least) continue;
-    const double height = pose.up.dot(centre - hull.corner(pose.ground.facets[0], 0));
+    const double height = pose.up.dot(centre - hull.corner(pose.facet, 0));
     ways.emplace_back(std::sqrt(pose.area) / height, pose.up);
   }
   std::ranges::stable_sort(ways, std::greater<>{}, &std::pair<double, Vec3>::first);

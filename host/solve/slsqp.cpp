@@ -186,10 +186,21 @@ struct SlsqpSearch {
     require(nlopt_set_lower_bounds(opt.get(), functions.lower.data()));
     require(nlopt_set_upper_bounds(opt.get(), functions.upper.data()));
     require(nlopt_set_min_objective(opt.get(), Functions::objective, &functions));
+    require_enough_cells();
     add(nlopt_add_equality_mconstraint, opt.get(), functions.equal);
     add(nlopt_add_inequality_mconstraint, opt.get(), functions.below);
     require(nlopt_set_ftol_rel(opt.get(), own.ftol_rel));
     require(nlopt_set_maxeval(opt.get(), own.maxeval));
+  }
+
+  /// NLopt takes no more equations than variables.
+  void require_enough_cells() const {
+    const unsigned cells = nlopt_get_dimension(opt.get());
+    if (const std::size_t equations = functions.equal.sides.size(); equations > cells)
+      throw InputError(
+          fmt::format("solver 'slsqp' with {} cells for {} equations; expected as many cells at least: a "
+                      "higher --level, or solver ipopt",
+                      cells, equations));
   }
 
   using Optimiser = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;

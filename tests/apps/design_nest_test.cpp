@@ -125,7 +125,7 @@ TEST_F(DesignNest, RefusesInOneLine) {
   };
   for (const Case& c :
        {Case{"duck -o " + file("a.stl") + " --wall 0.2 --size 60", "thinner than the printer's accuracy"},
-        Case{"duck -o " + file("a.stl") + " --wall 3h", "expected mm, or percent"},
+        Case{"duck -o " + file("a.stl") + " --wall 3h", "expected a number of mm, or percent"},
         Case{"duck -o " + file("old.stl"), "exists; expected a new name, or --force"},
         Case{"duck -o " + file("none/a.stl"), "expected an existing folder"},
         Case{"duk -o " + file("a.stl"), "did you mean 'duck'"}, Case{"duck -o " + file("a.txt"), "a.txt"}}) {

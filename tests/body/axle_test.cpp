@@ -76,7 +76,7 @@ TEST(Axle, ThatDoesNotFitIsRefused) {
   BodySpec spec;
   spec.model = "cuboid";
   spec.axle.radius = 2;
-  expect_refusal([&] { (void)make_body(spec, test_device()); }, "axle 2 mm", {"problem yoyo"});
+  expect_refusal([&] { (void)make_body(spec, test_device()); }, "--axle 2 mm", {"problem yoyo"});
   spec.model = "woven-ring";  // nothing but air about its axis
   spec.centred = true;
   expect_refusal([&] { (void)make_body(spec, test_device()); }, "a hole in the cut", {"air"});

@@ -27,7 +27,7 @@ TEST(RestingPoses, OfABoxAreItsFacesWithTheSolidAnglesOfThem) {
   ASSERT_EQ(poses.size(), 6u);
   EXPECT_NEAR(total(poses), 1, round_off);
   for (const RestingPose& pose : poses) {
-    EXPECT_TRUE(pose.stable);
+    EXPECT_TRUE(pose.stable());
     Eigen::Index axis = 0;
     EXPECT_NEAR(pose.up.cwiseAbs().maxCoeff(&axis), 1, round_off);
     // A rectangle 2a x 2b at distance d covers 4 atan(ab / (d sqrt(a^2 + b^2 + d^2))).
@@ -49,11 +49,11 @@ TEST(RestingPoses, OfATopHeavyPostAreThoseItDoesNotFallFrom) {
   EXPECT_NEAR(total(poses), 1, round_off);
   for (const RestingPose& pose : poses) {
     if (std::abs(pose.up[2]) > 0.99) {
-      EXPECT_FALSE(pose.stable);
+      EXPECT_FALSE(pose.stable());
       EXPECT_EQ(pose.probability, 0) << "it rolls on to a side";
     }
   }
-  EXPECT_TRUE(poses[0].stable);
+  EXPECT_TRUE(poses[0].stable());
 }
 
 TEST(RestingPoses, ATetrahedronsSolidAnglesSumToTheSphere) {
@@ -106,7 +106,7 @@ TEST(RestingPolygon, ABallHasNoneHoweverItIsTurnedAndMade) {
       const ConvexHull& hull = body.hull.of(body.mesh.vertices);
       const auto f =
           static_cast<std::size_t>(uniform(random, 0, static_cast<double>(hull.facets.size()) - 1));
-      body.frame.rotation = axis_to_z(-hull.normals[f]);
+      body.frame.rotation = axis_to_z(-hull.normal(f));
       EXPECT_TRUE(resting_polygon(body).corners.empty()) << points;
     }
 }

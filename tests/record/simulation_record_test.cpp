@@ -81,7 +81,7 @@ TEST_F(SimulationRecord, HoldsFailuresAndRefusesWhatDoesNotMove) {
   EXPECT_EQ(failed.error, "no such mesh");
   EXPECT_EQ(failed.config(), describe(run_));
   run_.problem = "balance";
-  expect_refusal([&] { (void)run_simulation(run_); }, "nothing of the problem 'balance' moves",
+  expect_refusal([&] { (void)run_simulation(run_); }, "there is no motion to simulate for problem 'balance'",
                  {"spin, top, yoyo, stand, float"});
 }
 

@@ -158,7 +158,7 @@ TEST_F(FindPose, CutsOffNoMoreThanItMust) {
 TEST_F(FindPose, OfAProblemThatIsAskedInOnePoseIsRefused) {
   RunConfig config = turned_box({50, 20, 30}, Eigen::Matrix3d::Identity(), "balance");
   set_field(config, "up", "auto");
-  expect_refusal([&] { (void)found(config); }, "a pose of balance that is to be found",
+  expect_refusal([&] { (void)found(config); }, "problem balance with a pose that is to be found",
                  {"expected a direction"});
 }
 

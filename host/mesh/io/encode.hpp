@@ -12,9 +12,9 @@ namespace kreisel::core {
 /// @throws InputError  a coordinate that is not finite, or what the format cannot hold
 /// Binary STL: single precision; a triangle without area has a zero normal.
 [[nodiscard]] std::string encode_stl(const std::vector<TriangleMesh>& parts, const std::string& name);
-/// One object in millimetres, so that an inner part is a cavity of the outer; single precision, cut to
-/// six decimals (1 nm) by lib3mf. What is far from the origin is written about a place near it, to which the
-/// transform of its build item takes it.
+/// One object in millimetres, so that an inner part is a cavity of the outer; single precision, with all its
+/// digits. What is far from the origin is written about a place near it, to which the transform of its build
+/// item takes it.
 [[nodiscard]] std::string encode_3mf(const std::vector<TriangleMesh>& parts, const std::string& name);
 /// An object each, all of them to be built where they are.
 [[nodiscard]] std::string encode_3mf_objects(const std::vector<MeshObject>& objects, const std::string& name);

@@ -1,6 +1,7 @@
 // mesh_object.hpp - meshes that make one thing with a name.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace kreisel::core {
 struct MeshObject {
   std::string name;
   std::vector<TriangleMesh> parts;
+  /// What coordinates are written about in a format with such a place; default: place_of() them.
+  std::optional<Vec3> place = {};
 };
 
 }  // namespace kreisel::core

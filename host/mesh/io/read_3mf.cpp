@@ -90,7 +90,9 @@ class Reader {
   /// Whether what has this role is no material; then it is counted.
   bool is_left_out(const Role& role) {
     if (role == threemf::negative_volume)
-      throw error("a negative volume, expected one that has been subtracted from its part");
+      throw error(
+          "a negative volume, which is not subtracted here, expected a part from which it has been cut "
+          "already");
     if (!role.empty()) ++left_out_[role];
     return !role.empty();
   }

@@ -20,9 +20,8 @@ std::shared_ptr<RTCDeviceTy> shared_device() {
 
 }  // namespace
 
-EmbreeScene::EmbreeScene() : device_(shared_device()), scene_(rtcNewScene(device_.get())) {}
-
-EmbreeScene::EmbreeScene(const TriangleMesh& mesh) : EmbreeScene() {
+EmbreeScene::EmbreeScene(const TriangleMesh& mesh)
+    : device_(shared_device()), scene_(rtcNewScene(device_.get())) {
   if (!mesh.vertices.empty()) middle_ = bounding_box(mesh).centre();
   rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
   const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -32,6 +31,7 @@ EmbreeScene::EmbreeScene(const TriangleMesh& mesh) : EmbreeScene() {
       geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), mesh.triangles.size()));
   if (!vertices || !triangles) {
     rtcReleaseGeometry(geometry);
+    rtcReleaseScene(scene_);
     throw std::bad_alloc();
   }
   for (const Vec3& v : mesh.vertices) {
@@ -40,10 +40,6 @@ EmbreeScene::EmbreeScene(const TriangleMesh& mesh) : EmbreeScene() {
   }
   for (const Triangle& t : mesh.triangles) triangles = std::copy(t.begin(), t.end(), triangles);
   rtcCommitGeometry(geometry);
-  commit(geometry);
-}
-
-void EmbreeScene::commit(RTCGeometry geometry) {
   rtcAttachGeometry(scene_, geometry);
   rtcReleaseGeometry(geometry);
   rtcCommitScene(scene_);

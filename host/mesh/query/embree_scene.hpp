@@ -12,7 +12,6 @@ namespace kreisel::core {
 /// A scene, released with the object. All that there are at a time share one device.
 class EmbreeScene {
  public:
-  EmbreeScene();
   /// The triangles of a mesh in single precision, committed, for watertight rays and point queries. They lie
   /// about the middle of the mesh, so that it keeps its digits however far from the origin it is.
   explicit EmbreeScene(const TriangleMesh& mesh);
@@ -20,9 +19,6 @@ class EmbreeScene {
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-  /// Takes over a committed geometry, and builds the hierarchy.
-  void commit(RTCGeometry geometry);
-  [[nodiscard]] RTCDevice device() const { return device_.get(); }
   [[nodiscard]] RTCScene handle() const { return scene_; }
   /// A point of the mesh's coordinates in those of the scene.
   [[nodiscard]] Eigen::Vector3f local(const Vec3& p) const { return (p - middle_).cast<float>(); }

@@ -17,6 +17,13 @@ std::vector<std::uint32_t> first_equal_vertex(const std::vector<Vec3>& vertices)
       [&](std::uint32_t i, std::uint32_t j) { return vertices[i] == vertices[j]; });
 }
 
+std::size_t equal_vertex_count(const std::vector<Vec3>& vertices) {
+  const std::vector<std::uint32_t> first = first_equal_vertex(vertices);
+  std::size_t count = 0;
+  for (std::uint32_t v = 0; v < first.size(); ++v) count += first[v] != v;
+  return count;
+}
+
 std::vector<std::uint32_t> first_equal_triangle(const std::vector<Triangle>& triangles) {
   const auto corners = [&](std::uint32_t i) {
     Triangle t = triangles[i];

@@ -62,4 +62,12 @@ class DisjointSets {
 /// a fan around one vertex. A vertex with more than one fan is where parts of the surface merely touch.
 [[nodiscard]] DisjointSets corner_fans(const TriangleMesh& mesh, const std::vector<Side>& sides);
 
+/// How the triangles of a mesh hang together, for more than one question about it.
+struct Topology {
+  explicit Topology(const TriangleMesh& mesh) : sides(sorted_sides(mesh)), fans(corner_fans(mesh, sides)) {}
+
+  std::vector<Side> sides;
+  DisjointSets fans;
+};
+
 }  // namespace kreisel::core

@@ -11,7 +11,6 @@
 #include "error.hpp"
 #include "geometry/predicates.hpp"
 #include "mesh/query/equal_vertices.hpp"
-#include "mesh/query/sides.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -54,11 +53,9 @@ void inspect_triangles(const TriangleMesh& mesh, MeshReport& report) {
   }
 }
 
-void inspect_vertices(const TriangleMesh& mesh, const std::vector<Side>& sides, MeshReport& report) {
-  const std::vector<std::uint32_t> first = first_equal_vertex(mesh.vertices);
-  for (std::uint32_t v = 0; v < first.size(); ++v) report.equal_vertex_count += first[v] != v;
+void inspect_vertices(const TriangleMesh& mesh, DisjointSets& fans, MeshReport& report) {
+  report.equal_vertex_count = equal_vertex_count(mesh.vertices);
   std::vector<std::uint32_t> fan_count(mesh.vertices.size(), 0);
-  DisjointSets fans = corner_fans(mesh, sides);
   for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner)
     if (fans.find(corner) == corner) ++fan_count[mesh.triangles[corner / 3][corner % 3]];
   for (const std::uint32_t count : fan_count) {
@@ -95,12 +92,16 @@ std::string edge_text(const TriangleMesh& mesh, const EdgeFault& fault) {
 }  // namespace
 
 MeshReport inspect(const TriangleMesh& mesh) {
+  Topology topology(mesh);
+  return inspect(mesh, topology);
+}
+
+MeshReport inspect(const TriangleMesh& mesh, Topology& topology) {
   MeshReport report;
   inspect_triangles(mesh, report);
   inspect_volume(mesh, report);
-  const std::vector<Side> sides = sorted_sides(mesh);
-  inspect_edges(mesh, sides, report);
-  inspect_vertices(mesh, sides, report);
+  inspect_edges(mesh, topology.sides, report);
+  inspect_vertices(mesh, topology.fans, report);
   return report;
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "geometry/triangle_mesh.hpp"
+#include "mesh/query/sides.hpp"
 
 namespace kreisel::core {
 
@@ -32,12 +33,19 @@ struct MeshReport {
 
   [[nodiscard]] bool watertight() const { return !open.count && !crowded.count && !repeated_count; }
   [[nodiscard]] bool oriented() const { return !misoriented.count; }
+  /// Whether there is nothing to mend, but that shells may face inward.
+  [[nodiscard]] bool spotless() const {
+    return watertight() && oriented() && !flat_count && !duplicate_count && !equal_vertex_count &&
+           !unused_vertex_count;
+  }
 };
 
 /// Looks at the indices for holes and orientation and at the coordinates for volume; where the surface runs
 /// through itself is the question of self_intersections.hpp, of components.hpp what it is made of.
 /// O(n log n). Indices must be in range, the mesh not empty.
 [[nodiscard]] MeshReport inspect(const TriangleMesh& mesh);
+/// The same with its topology at hand.
+[[nodiscard]] MeshReport inspect(const TriangleMesh& mesh, Topology& topology);
 
 /// Returns when the mesh bounds a solid: watertight, consistently oriented, outward, of non-zero volume.
 /// @param name  what messages call the mesh

@@ -5,7 +5,6 @@
 
 #include "geometry/predicates.hpp"
 #include "geometry/triangle.hpp"
-#include "mesh/query/sides.hpp"
 #include "stop.hpp"
 
 namespace kreisel::core {
@@ -74,10 +73,18 @@ Vec3 point_of(const TriangleMesh& mesh, const Shell& shell) {
 }  // namespace
 
 std::vector<Shell> shells(const TriangleMesh& mesh) {
-  const std::vector<Side> sides = sorted_sides(mesh);
+  Topology topology(mesh);
+  return shells(mesh, topology);
+}
+
+std::vector<Shell> shells(const TriangleMesh& mesh, Topology& topology) {
+  auto& [sides, fans] = topology;
   std::size_t count = 0;
   const std::vector<std::uint32_t> labels = label(mesh, sides, count);
   std::vector<Shell> result(count);
+  std::vector<std::size_t> sizes(count, 0);
+  for (const std::uint32_t label : labels) ++sizes[label];
+  for (std::size_t i = 0; i < count; ++i) result[i].triangles.reserve(sizes[i]);
   for (std::uint32_t t = 0; t < labels.size(); ++t) result[labels[t]].triangles.push_back(t);
 
   for (Shell& shell : result) shell.euler = long(shell.triangles.size());
@@ -93,7 +100,6 @@ std::vector<Shell> shells(const TriangleMesh& mesh) {
       }
     }
   });
-  DisjointSets fans = corner_fans(mesh, sides);
   for (std::uint32_t corner = 0; corner < 3 * labels.size(); ++corner)
     if (fans.find(corner) == corner) ++result[labels[corner / 3]].euler;
   for (Shell& shell : result) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/triangle_mesh.hpp"
+#include "mesh/query/sides.hpp"
 
 namespace kreisel::core {
 
@@ -21,6 +22,8 @@ struct Shell {
 
 /// In the order of each shell's first triangle. O(n log n).
 [[nodiscard]] std::vector<Shell> shells(const TriangleMesh& mesh);
+/// The same with the topology at hand.
+[[nodiscard]] std::vector<Shell> shells(const TriangleMesh& mesh, Topology& topology);
 
 /// For each shell the others that enclose it; their number is its nesting depth. Exact for closed shells that
 /// do not intersect: the parity of the crossings of a ray, by exact signs. O(shells^2) boxes, and the

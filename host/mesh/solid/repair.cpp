@@ -8,7 +8,6 @@
 #include "mesh/make/flip_flat.hpp"
 #include "mesh/query/equal_vertices.hpp"
 #include "mesh/query/sides.hpp"
-#include "mesh/solid/components.hpp"
 #include "mesh/solid/orient.hpp"
 #include "mesh/solid/separate_edges.hpp"
 #include "mesh/solid/weld.hpp"
@@ -127,14 +126,18 @@ void orient(TriangleMesh& mesh, RepairReport& report) {
   if (const std::size_t n = flip_flat_triangles(mesh))
     report.lines.push_back("flipped " + counted(n, "triangle without area into its neighbour",
                                                 "triangles without area into their neighbours"));
-  const std::vector<Shell> all = shells(mesh);
-  for (const Shell& shell : all)
-    if (!shell.closed || !shell.oriented) return;  // no inside, no outside
-  if (const std::size_t n = face_outward(mesh, all))
-    report.lines.push_back("turned " + counted(n, "inside-out shell", "inside-out shells"));
+  (void)turn_outward(mesh, shells(mesh), report);
 }
 
 }  // namespace
+
+bool turn_outward(TriangleMesh& mesh, const std::vector<Shell>& all, RepairReport& report) {
+  for (const Shell& shell : all)
+    if (!shell.closed || !shell.oriented) return false;  // no inside, no outside
+  const std::size_t n = face_outward(mesh, all);
+  if (n) report.lines.push_back("turned " + counted(n, "inside-out shell", "inside-out shells"));
+  return n > 0;
+}
 
 TriangleMesh repaired(TriangleMesh mesh, RepairReport& report, double weld) {
   std::size_t unused = drop_unused_vertices(mesh);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/triangle_mesh.hpp"
+#include "mesh/solid/components.hpp"
 
 namespace kreisel::core {
 
@@ -28,5 +28,9 @@ struct RepairReport {
 /// Nothing moves by more than `weld` and no hole is filled: the result may still be no solid (solid.hpp).
 /// @param weld  in units of the mesh, >= 0
 [[nodiscard]] TriangleMesh repaired(TriangleMesh mesh, RepairReport& report, double weld = 0);
+
+/// The last of these repairs alone, which is all there may be to do on a mesh that is spotless (check.hpp).
+/// @param all  its shells  @return  whether any was turned
+bool turn_outward(TriangleMesh& mesh, const std::vector<Shell>& all, RepairReport& report);
 
 }  // namespace kreisel::core

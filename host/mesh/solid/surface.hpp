@@ -17,8 +17,7 @@ class Surface {
   using Nesting = std::vector<std::vector<std::uint32_t>>;
 
   /// Mends the mesh (repair.hpp). @param so_far  what is to be said of it beforehand
-  explicit Surface(TriangleMesh mesh, double weld = 0, RepairReport so_far = {})
-      : repairs_(std::move(so_far)), mesh_(repaired(std::move(mesh), repairs_, weld)) {}
+  explicit Surface(TriangleMesh mesh, double weld = 0, RepairReport so_far = {});
 
   /// Mends nothing.
   [[nodiscard]] static Surface as_it_is(TriangleMesh mesh) {
@@ -29,6 +28,8 @@ class Surface {
 
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
   [[nodiscard]] const RepairReport& repairs() const { return repairs_; }
+  /// Of the mesh before its repairs.
+  [[nodiscard]] const MeshReport& as_read() const { return as_read_; }
   /// Gives the mesh away; what is known of it stays.
   [[nodiscard]] TriangleMesh take_mesh() { return std::move(mesh_); }
   [[nodiscard]] const MeshReport& report();
@@ -42,6 +43,7 @@ class Surface {
   Surface() = default;
 
   RepairReport repairs_;
+  MeshReport as_read_;
   TriangleMesh mesh_;
   std::optional<MeshReport> report_;
   std::optional<Pairs> crossings_;

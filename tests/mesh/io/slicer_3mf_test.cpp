@@ -135,7 +135,7 @@ TEST_F(Slicer3mf, RefusesARequiredExtensionByItsName) {
   std::string with_beams = object(1);
   with_beams.insert(with_beams.find("</mesh>"), lattice);
   refuses(file("a.3mf", package(resources(with_beams) + build(item), beams + " requiredextensions=\"b\"")),
-          {"beamlattice/2017/02", "required"});
+          {"beamlattice/2017/02", "requires"});
   // Whoever does not require it says that the mesh alone will do; it is told all the same.
   EXPECT_EQ(triangles(package(resources(with_beams) + build(item), beams), {"beamlattice"}), 4u);
 }

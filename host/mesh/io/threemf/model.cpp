@@ -110,8 +110,10 @@ class Visitor final : public XmlVisitor {
       const auto space = spaces_.find(std::string(prefix));
       const std::string address = space == spaces_.end() ? "" : space->second;
       if (address != core_ && std::ranges::find(understood, address) == understood.end())
-        throw error(fmt::format("the extension '{}' ({}) is required and not read, expected a mesh alone",
-                                extension_name(address), shown(prefix)));
+        throw error(
+            fmt::format("the file requires the 3MF extension '{}' ({}), which is not read here, expected "
+                        "meshes without it",
+                        extension_name(address), shown(prefix)));
     }
   }
 
@@ -129,7 +131,8 @@ class Visitor final : public XmlVisitor {
   void start_object(const Element& e) {
     const std::string id(required(e, "id"));
     const auto [at, fresh] = model_.objects.try_emplace(id);
-    if (!fresh) throw error(fmt::format("a second object {}, expected numbers of their own", shown(id)));
+    if (!fresh)
+      throw error(fmt::format("two objects with the id {}, expected an id of its own for each", shown(id)));
     object_ = &at->second;
     const std::string_view type = e.get("type").value_or("model");
     if (type != "model") object_->role = "object of the type " + shown(type);
@@ -160,7 +163,9 @@ class Visitor final : public XmlVisitor {
 
   [[nodiscard]] std::string_view required(const Element& e, std::string_view attribute) const {
     const auto value = e.get(attribute);
-    if (!value) throw error(fmt::format("'{}' without '{}', expected one", shown(e.name), attribute));
+    if (!value)
+      throw error(fmt::format("element '{}' without its attribute '{}', expected one with it", shown(e.name),
+                              attribute));
     return trimmed(*value);
   }
 

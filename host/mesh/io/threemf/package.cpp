@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 
 #include "error.hpp"
 #include "mesh/io/text.hpp"
@@ -77,6 +78,42 @@ Package unpack(const MeshFile& file) {
   }
   if (status != ARCHIVE_EOF) refuse(file, reader.get());
   return package;
+}
+
+std::string pack(const std::vector<std::pair<std::string, std::string>>& parts) {
+  std::string bytes;
+  const std::unique_ptr<archive, decltype(&archive_write_free)> writer(archive_write_new(),
+                                                                       &archive_write_free);
+  const auto require = [&](bool good) {
+    if (good) return;
+    const char* why = archive_error_string(writer.get());
+    throw std::runtime_error(fmt::format("ZIP archive: {}", why ? why : "cannot be written"));
+  };
+  const auto append = [](archive*, void* to, const void* data, std::size_t size) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(data), size);
+    return la_ssize_t(size);
+  };
+  require(archive_write_set_format_zip(writer.get()) == ARCHIVE_OK &&
+          archive_write_set_bytes_in_last_block(writer.get(), 1) == ARCHIVE_OK &&  // no padding
+          archive_write_open(writer.get(), &bytes, nullptr, append, nullptr) == ARCHIVE_OK);
+  const std::unique_ptr<archive_entry, decltype(&archive_entry_free)> entry(archive_entry_new(),
+                                                                            &archive_entry_free);
+  for (const auto& [name, content] : parts) {
+    archive_entry_clear(entry.get());
+    archive_entry_set_pathname(entry.get(), name.c_str());
+    archive_entry_set_filetype(entry.get(), AE_IFREG);
+    archive_entry_set_perm(entry.get(), 0644);
+    archive_entry_set_size(entry.get(), la_int64_t(content.size()));
+    require(archive_write_header(writer.get(), entry.get()) == ARCHIVE_OK);
+    constexpr std::size_t block = std::size_t{1} << 20;  // packing takes longer than a second
+    for (std::size_t from = 0; from < content.size(); from += block) {
+      stop_here();
+      const std::size_t size = std::min(block, content.size() - from);
+      require(archive_write_data(writer.get(), content.data() + from, size) == la_ssize_t(size));
+    }
+  }
+  require(archive_write_close(writer.get()) == ARCHIVE_OK);
+  return bytes;
 }
 
 }  // namespace kreisel::core::threemf

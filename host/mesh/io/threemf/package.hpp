@@ -3,6 +3,8 @@
 
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "mesh/io/mesh_file.hpp"
 
@@ -17,5 +19,8 @@ using Package = std::map<std::string, std::string>;
 
 /// @throws InputError  no ZIP archive, or a broken or encrypted one, or more than 4 GiB of text in it
 [[nodiscard]] Package unpack(const MeshFile& file);
+
+/// The bytes of a package with these parts, in their order; the same every time. @param parts  name, content
+[[nodiscard]] std::string pack(const std::vector<std::pair<std::string, std::string>>& parts);
 
 }  // namespace kreisel::core::threemf
