@@ -144,8 +144,9 @@ Fields<RayRepSettings> rayrep_fields() {
   return {one_of<RayRepSettings>(
               "bounds", "of both ends of a segment: midpoint or ordered; default as the problem fills rays",
               {"midpoint", "ordered"}, [](auto& s) -> auto& { return s.bounds; }),
-          one_of<RayRepSettings>("unit", "of the ends: cell (default) or body", {"body", "cell"},
-                                 [](auto& s) -> auto& { return s.cell_unit; })};
+          one_of<RayRepSettings>(
+              "unit", "of the ends: cell (default) or body", {"body", "cell"},
+              [](auto& s) -> auto& { return s.cell_unit; })};
 }
 
 std::unique_ptr<Formulation> make_rayrep(const Columns& domain, const Traits& traits,

@@ -171,8 +171,9 @@ const std::vector<std::string_view> targets = {"centre", "inside", "max-tilt"};
 
 Fields<StandSettings> stand_fields() {
   using namespace field_text;
-  return {one_of<StandSettings>("target", "centre, inside or max-tilt; default centre, of design max-tilt",
-                                targets, [](auto& s) -> auto& { return s.target; }),
+  return {one_of<StandSettings>(
+              "target", "centre, inside or max-tilt; default centre, of design max-tilt", targets,
+              [](auto& s) -> auto& { return s.target; }),
           {"margin", "mm", "from the edge of the base, of target = inside; default 1 % of the body's length",
            [](auto& s, auto k, auto v) {
              s.margin_mm = number_where(k, v, "millimetres >= 0", [](double mm) { return mm >= 0; });

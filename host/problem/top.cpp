@@ -36,9 +36,9 @@ Verdict Top::verify(const Moments& s, double length_mm) const {
 
 Fields<TopOptions> top_fields() {
   using namespace field_text;
-  return {one_of<TopOptions>("lower",
-                             "what is lowered beside the inertia ratio: mass (default), height or none",
-                             {"mass", "height", "none"}, [](auto& o) -> auto& { return o.lower; }),
+  return {one_of<TopOptions>(
+              "lower", "what is lowered beside the inertia ratio: mass (default), height or none",
+              {"mass", "height", "none"}, [](auto& o) -> auto& { return o.lower; }),
           {"gamma_c", "", "weight of what is lowered; default 1",
            [](auto& o, auto k, auto v) { o.gamma_c = not_negative(k, v); },
            [](auto& o) { return number_text(o.gamma_c); }},

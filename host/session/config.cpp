@@ -77,7 +77,8 @@ std::vector<std::string> setting_names(const std::vector<std::string_view>& grou
   std::set<std::string> names;
   const auto add = [&](std::string_view group, const SettingTable& table) {
     if (std::ranges::find(groups, group) != groups.end())
-      for (const Field<Settings>& field : table.fields()) names.insert(fmt::format("{}.{}", group, field.name));
+      for (const Field<Settings>& field : table.fields())
+        names.insert(fmt::format("{}.{}", group, field.name));
   };
   for (const ProblemEntry& problem : problems()) add("problem", problem.settings);
   for (const FormulationEntry& formulation : formulations()) add("formulation", formulation.settings);

@@ -260,7 +260,8 @@ Fields<Asked> setting_fields() {
     for (const Field<Settings>& setting : problem.settings.fields()) {
       const std::string name = fmt::format("problem.{}", setting.name);
       auto words = std::ranges::find(kept, name, &Words::name);
-      if (words == kept.end()) words = kept.insert(kept.end(), {name, std::string(setting.unit), "", "", "", setting.choices});
+      if (words == kept.end())
+        words = kept.insert(kept.end(), {name, std::string(setting.unit), "", "", "", setting.choices});
       if (words->last == setting.help) {
         words->of += ", " + problem.name;
       } else {

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "error.hpp"
-#include "settings/field.hpp"
 #include "parse.hpp"
+#include "settings/field.hpp"
 
 namespace kreisel::core::field_text {
 
@@ -79,8 +79,7 @@ inline std::string either_of(std::vector<std::string_view> words) {
 inline std::size_t word_of(std::string_view key, std::string_view value,
                            const std::vector<std::string_view>& words) {
   const auto found = std::ranges::find(words, value);
-  if (found == words.end())
-    refuse(key, value, either_of(words));
+  if (found == words.end()) refuse(key, value, either_of(words));
   return static_cast<std::size_t>(found - words.begin());
 }
 

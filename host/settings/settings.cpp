@@ -12,7 +12,7 @@ InputError unknown_setting(const Fields<Settings>& fields, std::string_view grou
   const std::string meant = nearest(name, names);
   const std::string expected = names.empty()         ? "none: it takes no settings"
                                : names.size() <= few ? fmt::format("one of: {}", fmt::join(names, ", "))
-                                                     : fmt::format("one of its {}", names.size());
+                                                     : fmt::format("one of its {} settings", names.size());
   return InputError(fmt::format("{}.{} = {}; {} has no setting of that name{}; expected {}", group, name,
                                 text, owner, meant.empty() ? "" : fmt::format(" (did you mean {}?)", meant),
                                 expected));

@@ -51,9 +51,9 @@ struct CommonSettings {
 
 Fields<CommonSettings> common_fields() {
   using namespace field_text;
-  return {one_of<CommonSettings>("start",
-                                 "of the variables between their bounds: lower, middle (default) or upper",
-                                 {"lower", "middle", "upper"}, [](auto& s) -> auto& { return s.start; }),
+  return {one_of<CommonSettings>(
+              "start", "of the variables between their bounds: lower, middle (default) or upper",
+              {"lower", "middle", "upper"}, [](auto& s) -> auto& { return s.start; }),
           one_of<CommonSettings>(
               "curvature", "of the moments in the variables: convex (default: its positive part) or full",
               {"full", "convex"}, [](auto& s) -> auto& { return s.convexify; }),
@@ -61,8 +61,9 @@ Fields<CommonSettings> common_fields() {
            "largest derivative of the scaled objective at the start; default as suits the formulation",
            [](auto& s, auto k, auto v) { s.reach = positive(k, v); },
            [](auto& s) { return number_text(s.reach); }},
-          one_of<CommonSettings>("defaults", "of Ipopt's options: kreisel (default) or ipopt, its own",
-                                 {"kreisel", "ipopt"}, [](auto& s) -> auto& { return s.untouched; })};
+          one_of<CommonSettings>(
+              "defaults", "of Ipopt's options: kreisel (default) or ipopt, its own", {"kreisel", "ipopt"},
+              [](auto& s) -> auto& { return s.untouched; })};
 }
 
 }  // namespace

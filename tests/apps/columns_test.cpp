@@ -16,8 +16,7 @@ TEST(BenchColumns, AreThePageThatListsThem) {
   const std::string page((std::istreambuf_iterator<char>(file)), {});
   const BenchAnswer a = bench("columns --markdown");
   ASSERT_EQ(a.code, 0) << a.out;
-  EXPECT_NE(page.find(a.out), std::string::npos)
-      << "write `bench columns --markdown` into docs/tables.md";
+  EXPECT_NE(page.find(a.out), std::string::npos) << "write `bench columns --markdown` into docs/tables.md";
 }
 
 TEST(BenchColumns, GiveTheValuesOfEachRecord) {

@@ -97,7 +97,7 @@ TEST_F(BenchLayers, RefusesWhatDoesNotGoTogetherInOneLine) {
             "--landscape 4 --free all",
             "free: a landscape of outlines has no such field; expected a kind that has it: swarm, layers"},
         std::pair{"--landscape 4 --view 0,0,1", "silhouette seen along its up direction"},
-        std::pair{"--keep-shapes maybe", "keep-shapes = 'maybe'; expected yes or no"}}) {
+        std::pair{"--keep-shapes maybe", "keep-shapes = 'maybe'; expected no or yes"}}) {
     const BenchAnswer a = nest(arguments);
     EXPECT_EQ(a.code, 2) << a.out;
     EXPECT_NE(a.out.find(says), std::string::npos) << a.out;

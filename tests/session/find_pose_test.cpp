@@ -130,7 +130,7 @@ TEST_F(FindPose, ToFloatDraftAndPoseAreChosenTogether) {
   const FoundPoses poses = found(config);
   ASSERT_FALSE(poses.good.empty()) << poses.text();
   EXPECT_GE(degrees_between(poses.good[0].direction, Vec3::UnitZ()), 45) << "a post lies down";
-  EXPECT_NE(find_problem("float").settings.changed(poses.good[0].settings).at("draft"), "auto");
+  EXPECT_NE(find_problem("float").settings.in_force(poses.good[0].settings).at("draft"), "auto");
 }
 
 TEST_F(FindPose, CutsOffNoMoreThanItMust) {
