@@ -42,9 +42,9 @@ nest::OptimiseSpec spec_of(const NestSwarm& config, const nest::Nesting& nesting
 }
 
 /// A run in the making.
-class Run {
+class OneNesting {
  public:
-  Run(const NestConfig& config, const NestHooks& hooks) : config_(config), hooks_(hooks) {}
+  OneNesting(const NestConfig& config, const NestHooks& hooks) : config_(config), hooks_(hooks) {}
 
   NestResult operator()() {
     require_valid(config_);
@@ -277,7 +277,7 @@ NestResult run_nest(const NestConfig& config, const NestHooks& hooks) {
                     entry_of(config).what));
   if (std::holds_alternative<NestLayers>(config.kind)) return run_layers(config, hooks);
   if (std::holds_alternative<NestOutlines>(config.kind)) return run_landscape(config, hooks);
-  return Run(config, hooks)();
+  return OneNesting(config, hooks)();
 }
 
 }  // namespace kreisel::core
