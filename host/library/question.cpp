@@ -241,7 +241,6 @@ RunConfig config_of(const Question& question) {
     }
   for (const auto& [name, text] : question.fields)
     set_field(config, is_setting(name) ? S(name) : name_of(name), text);
-  require_settings(config);
   return config;
 }
 
