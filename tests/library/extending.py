@@ -44,10 +44,10 @@ def edited(source, said, blocks, where):
 
 def run_programs(build, results):
     """What was added, in every program, with nothing else changed: a table, records, a map, a part."""
-    def run(*command):
+    def run(*command, ends=0):
         done = subprocess.run([str(word) for word in command], text=True, stdout=subprocess.PIPE)
         print(done.stdout)
-        assert done.returncode == 0, f"{command}: exit code {done.returncode}"
+        assert done.returncode == ends, f"{command}: exit code {done.returncode}"
         return done.stdout
 
     shutil.rmtree(results, ignore_errors=True)
@@ -57,7 +57,8 @@ def run_programs(build, results):
     assert "compass.penalty" in run(build / "bench", "fields", "--markdown")
     record, part = results / "lowest.h5", results / "lowest.3mf"
     run(build / "bench", "--model", "ellipsoid", "--problem", "lowest", "--mass", "70%", "--formulation", "layer",
-        "--solver", "compass", "--set", "compass.finest=1e-6", "--resolution", "32", "--record", record)
+        "--solver", "compass", "--set", "compass.finest=1e-6", "--resolution", "32", "--record", record,
+        ends=4)  # layers cannot move the centre of mass sideways: the search ends, and its record says so
     shown = run(build / "bench", "show", record)
     assert all(name in shown for name in ("lowest", "layer", "compass")), shown
     run(build / "bench", "map", "kitten", "--problem", "lowest", "--axes", "12", "--resolution", "32",
