@@ -86,7 +86,7 @@ DraftSpec draft(std::string_view key, std::string_view text) {
   if (text == "solid") return {DraftSpec::solid, 0};
   if (text == "auto") return {DraftSpec::open, 0};
   if (const auto share = parse_with_unit(text, "%"); above_none(share) && *share <= 100)
-    return {DraftSpec::share, *share / 100};
+    return {DraftSpec::share, *share};
   if (const auto grams = parse_with_unit(text, "g"); above_none(grams)) return {DraftSpec::mass, *grams};
   if (const auto depth = parse<double>(text.ends_with("mm") ? text.substr(0, text.size() - 2) : text);
       above_none(depth))
@@ -98,7 +98,7 @@ DraftSpec draft(std::string_view key, std::string_view text) {
 std::string text_of(const DraftSpec& draft) {
   switch (draft.kind) {
     case DraftSpec::share:
-      return fmt::format("{}%", 100 * draft.value);
+      return fmt::format("{}%", draft.value);
     case DraftSpec::mass:
       return fmt::format("{}g", draft.value);
     case DraftSpec::depth:
@@ -117,7 +117,7 @@ double waterline_for(const DraftSpec& draft, const Body& body, double fluid) {
   const double height = box.extent()[2];
   switch (draft.kind) {
     case DraftSpec::share:
-      return box.lo[2] + draft.value * height;
+      return box.lo[2] + draft.value / 100 * height;
     case DraftSpec::mass:
     case DraftSpec::solid: {
       const double grams = draft.kind == DraftSpec::solid ? body.mass_grams() : draft.value;
@@ -169,8 +169,8 @@ std::vector<Settings> drafts_of(const Settings& settings, const Body&) {
   if (each.draft.kind != DraftSpec::open) return {settings};
   std::vector<Settings> all;
   // Shares of the height: what displaces nothing like what the body can weigh is infeasible at once.
-  for (const int percent : {25, 40, 50, 60, 70, 85}) {
-    each.draft = {DraftSpec::share, percent / 100.0};
+  for (const double percent : {25, 40, 50, 60, 70, 85}) {
+    each.draft = {DraftSpec::share, percent};
     all.emplace_back(each);
   }
   return all;

@@ -50,14 +50,14 @@ class Float final : public Problem {
 /// How deep a body is to lie in the water.
 struct DraftSpec {
   enum Kind {
-    share,  ///< of the height
+    share,  ///< of the height, per cent
     depth,  ///< mm
     mass,   ///< g, that it displaces
     solid,  ///< as the solid body sinks
     open    ///< to be found: drafts_of()
   };
   Kind kind = share;
-  double value = 0.6;
+  double value = 60;
 };
 
 struct FloatSettings {

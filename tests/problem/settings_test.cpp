@@ -43,7 +43,7 @@ TEST(ProblemSettings, AreReadAsWhatTheirTextSays) {
 
 TEST(ProblemSettings, OfADraftKeepTheirUnit) {
   const ProblemEntry& entry = find_problem("float");
-  for (const char* draft : {"25%", "12.5mm", "40g", "solid", "auto"})
+  for (const char* draft : {"25%", "7%", "55%", "12.5mm", "40g", "solid", "auto"})
     EXPECT_EQ(entry.settings.in_force(entry.read({{"draft", draft}})).at("draft"), draft);
   for (const char* draft : {"", "0%", "101%", "-3", "0g", "deep", "60 %"})
     expect_refusal(
