@@ -181,10 +181,11 @@ Fields<StandSettings> stand_fields() {
            [](auto& s) { return number_text(s.margin_mm); }},
           {"base", "%", "of the height, within which corners touch the ground; default what it rests on",
            [](auto& s, auto k, auto v) {
-             s.base = parse_with_unit(v, "%").value_or(-1) / 100;
-             if (!(*s.base >= 0 && *s.base < 1)) refuse(k, v, "a share of the height such as 0.1%");
+             s.base_percent = parse_with_unit(v, "%").value_or(-1);
+             if (!(*s.base_percent >= 0 && *s.base_percent < 100))
+               refuse(k, v, "a share of the height such as 0.1%");
            },
-           [](auto& s) { return s.base ? fmt::format("{}%", 100 * *s.base) : std::string(); }}};
+           [](auto& s) { return s.base_percent ? fmt::format("{}%", *s.base_percent) : std::string(); }}};
 }
 
 std::unique_ptr<Problem> make_stand(const Settings& settings, const Body& body) {
@@ -193,7 +194,7 @@ std::unique_ptr<Problem> make_stand(const Settings& settings, const Body& body) 
     throw InputError(fmt::format("problem.margin = {} for target {}; expected target = inside", *margin_mm,
                                  targets[static_cast<std::size_t>(target)]));
   const Box box = bounding_box(body.local);
-  Base base{tolerance ? support_polygon(body, *tolerance) : resting_polygon(body), box.lo[2],
+  Base base{tolerance ? support_polygon(body, *tolerance / 100) : resting_polygon(body), box.lo[2],
             box.extent()[2]};
   if (base.polygon.corners.empty()) return std::make_unique<Baseless>(body.name);
   if (target == StandTarget::max_tilt) {

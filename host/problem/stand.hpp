@@ -113,9 +113,9 @@ struct StandSettings {
   StandTarget target = StandTarget::centre;
   /// From the edge of the base, of `inside`; nothing: 0.01 L, at most half of what the centroid has.
   std::optional<double> margin_mm;
-  /// Share of the height within which vertices touch the ground; nothing: what it rests on,
+  /// Per cent of the height within which vertices touch the ground; nothing: what it rests on,
   /// resting_polygon().
-  std::optional<double> base;
+  std::optional<double> base_percent;
 };
 
 [[nodiscard]] Fields<StandSettings> stand_fields();

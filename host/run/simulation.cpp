@@ -54,9 +54,9 @@ std::vector<double> scan_speeds(const Subject& subject, double rpm) {
 
 std::vector<Toppling> stand_of(const Subject& subject, const Moments& s) {
   // As the problem has it: by a share of the height, or else what it rests on.
-  const auto by_height = settings_as<StandSettings>(problem_settings(subject.config)).base;
+  const auto by_height = settings_as<StandSettings>(problem_settings(subject.config)).base_percent;
   const SupportPolygon base =
-      by_height ? support_polygon(subject.solid, *by_height) : resting_polygon(subject.solid);
+      by_height ? support_polygon(subject.solid, *by_height / 100) : resting_polygon(subject.solid);
   if (base.corners.empty())
     throw InputError(
         fmt::format("{} has no base to stand on as it lies; expected another --up", subject.solid.name));
