@@ -15,7 +15,7 @@ def figure(found, _published=None):
     names = {id(run): name for members in groups.values() for run, name in zip(members, nestings.settings(members))}
     fig, axes = plt.subplots(figsize=(8, 4.6))
     for i, run in enumerate(runs):
-        trace = run["trace"]
+        trace = run["record"]["trace"]
         alone = len(groups[run["shapes"]]) == 1
         label = ", ".join(([run["shapes"]] if several or alone else []) + ([] if alone else [names[id(run)]]))
         line, = axes.plot(trace[:, nestings.SECONDS], trace[:, nestings.BEST],

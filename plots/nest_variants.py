@@ -11,13 +11,13 @@ from style import plt
 
 def median_line(runs, column):
     """A grid of `column`, and least, median and largest best scale of the runs there."""
-    ends = [run["trace"][-1, column] for run in runs]
-    starts = [max(run["trace"][0, column], 1e-3) for run in runs]
+    ends = [run["record"]["trace"][-1, column] for run in runs]
+    starts = [max(run["record"]["trace"][0, column], 1e-3) for run in runs]
     grid = np.geomspace(max(starts), np.median(ends), 80)
     bests = []
     for run in runs:
-        at = np.searchsorted(run["trace"][:, column], grid, side="right") - 1
-        best = run["trace"][np.maximum(at, 0), nestings.BEST]
+        at = np.searchsorted(run["record"]["trace"][:, column], grid, side="right") - 1
+        best = run["record"]["trace"][np.maximum(at, 0), nestings.BEST]
         bests.append(np.where(np.isfinite(best), best, 0))
     return grid, np.min(bests, axis=0), np.median(bests, axis=0), np.max(bests, axis=0)
 

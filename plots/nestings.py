@@ -42,26 +42,21 @@ def read_folder(folder):
     return found
 
 
-NOT_SETTINGS = ("outer", "inner", "seed")
-
-
-def settings(found):
-    """What of the configuration of each differs among them, seeds and shapes aside: "swarms = 4"."""
-    names = {name for run in found for name in run["config"] if name not in NOT_SETTINGS}
-    varied = sorted(n for n in names if len({run["config"].get(n) for run in found}) > 1)
-    return [records.setting_text({n: run["config"][n] for n in varied if n in run["config"]}) for run in found]
-
-
 def searched(found):
-    """Those that are searches over placements and found one."""
+    """A row (records.columns) for each search over placements that found one."""
     runs = [run for run in records.with_results(found) if "trace" in run]
     if not runs:
         raise records.BadRecord("no search over placements among the records")
-    return runs
+    return records.columns(runs, "shapes", "certified_scale")
 
 
-def by_shapes(found):
+def settings(rows):
+    """What of the configuration of each differs among them, seeds and shapes aside: "swarms = 4"."""
+    return [records.setting_text(fields) for fields in records.differences(rows, ("outer", "inner", "seed"))]
+
+
+def by_shapes(rows):
     groups = {}
-    for run in found:
-        groups.setdefault(run["shapes"], []).append(run)
+    for row in rows:
+        groups.setdefault(row["shapes"], []).append(row)
     return groups

@@ -35,9 +35,8 @@ BODY = ("model", "grid", "problem", "formulation")
 
 
 def columns(found, *names, published=None):
-    """A row a record of `found`: what `bench columns` or the JSON of a record call by these names, and by those of
-    BODY, "converged" and "seconds"; with its path, configuration, provenance, and the record, for arrays."""
-    names = list(dict.fromkeys((*BODY, "converged", "seconds", *names)))
+    """A row a record of `found`: what `bench columns` or the JSON of a record call by these names; with its path,
+    configuration, provenance, and the record, for arrays."""
     command = [bench(), "show", *(str(run["path"]) for run in found), "--columns", ",".join(names), "--json", "-"]
     if published:
         command += ["--published", str(published)]
@@ -46,17 +45,24 @@ def columns(found, *names, published=None):
         raise BadRecord(asked.stderr.strip() or f"{command[0]} ended with {asked.returncode}")
     rows = json.loads(asked.stdout)
     for row, run in zip(rows, found):
-        row["grid"] = (row["grid"] or "").replace("x", "×")  # none of a run that failed early
         row.update(config=run["config"], provenance=run["provenance"], record=run)
     return rows
 
 
+def solves(found, *names, published=None):
+    """columns() of solves, with those of BODY, "converged" and "seconds" as well."""
+    rows = columns(found, *dict.fromkeys((*BODY, "converged", "seconds", *names)), published=published)
+    for row in rows:
+        row["grid"] = (row["grid"] or "").replace("x", "×")  # none of a run that failed early
+    return rows
+
+
 def solved(found, *names, published=None):
-    """columns() of the records that have a result."""
+    """solves() of those that have a result."""
     runs = with_results(found)
     if not runs:
         raise BadRecord("no record with a result")
-    return columns(runs, *names, published=published)
+    return solves(runs, *names, published=published)
 
 
 def by_body(rows, *keys):
@@ -67,12 +73,12 @@ def by_body(rows, *keys):
     return groups
 
 
-def differences(runs):
-    """For each run the fields of its configuration that not all of them share: {name without group: text}.
+def differences(runs, but=(*BODY, "resolution")):
+    """For each run the fields of its configuration, `but` these, that not all share: {name without group: text}.
 
-    The runs are of one body and formulation; a field that a run leaves at its default is absent.
+    A field that a run leaves at its default is absent.
     """
-    names = {name for run in runs for name in run["config"] if name not in (*BODY, "resolution")}
+    names = {name for run in runs for name in run["config"] if name not in but}
     varied = sorted(n for n in names if len({run["config"].get(n) for run in runs}) > 1)
     return [{n.split(".", 1)[-1]: run["config"][n] for n in varied if n in run["config"]} for run in runs]
 

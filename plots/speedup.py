@@ -37,7 +37,7 @@ def arguments():
 
 def usable(found, device):
     """Converged runs of the two formulations on one device, and how many others were left out."""
-    runs = [r for r in records.columns(found, "seconds.solve", "seconds.total", "samples")
+    runs = [r for r in records.solves(found, "seconds.solve", "seconds.total", "samples")
             if r["formulation"] in ("rayrep", "voxel")]
     if device:
         runs = [r for r in runs if device.lower() in r["provenance"]["device"].lower()]
