@@ -10,6 +10,7 @@ packages=(
   opencl-clhpp-headers ocl-icd-opencl-dev pocl-opencl-icd             # OpenCL and its CPU device
   libeigen3-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
   libembree-dev libhdf5-dev
+  libgmp-dev                                                          # exact points where surfaces cross
   libmuparser-dev                                                     # arithmetic in columns of tables
   libarchive-dev                                                      # packs and unpacks 3MF packages, and the real meshes
   libexpat1-dev                                                       # XML of 3MF packages
