@@ -1,9 +1,14 @@
 #include "body/hydrostatics.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include "body/dry_space.hpp"
+#include "geometry/moved.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -36,7 +41,7 @@ struct Section {
 };
 
 struct Submerged {
-  double volume = 0;
+  double volume = 0, dry = 0;
   Vec3 first = Vec3::Zero();
   Section section;
 };
@@ -70,17 +75,64 @@ void add_clipped(const std::array<Vec3, 3>& corner, Submerged& sum) {
   if (crosses) sum.section.add(enters, leaves);
 }
 
+/// @param origin  in the waterplane
 Submerged submerged(const TriangleMesh& mesh, const Vec3& origin) {
-  Submerged sum;
-  for (const Triangle& t : mesh.triangles)
+  const std::vector<char> dry = dry_vertices(mesh, origin[2]);
+  const auto is_dry = [&](const Triangle& t) {
+    for (const std::uint32_t v : t)
+      if (mesh.vertices[v][2] <= origin[2]) return dry[v] != 0;
+    return false;
+  };
+  Submerged sum, within;
+  for (const Triangle& t : mesh.triangles) {
+    const bool keeps_out = !dry.empty() && is_dry(t);
     add_clipped({mesh.vertices[t[0]] - origin, mesh.vertices[t[1]] - origin, mesh.vertices[t[2]] - origin},
-                sum);
+                keeps_out ? within : sum);
+  }
+  sum.dry = -within.volume;  // its surface faces into it
   return sum;
 }
 
 /// A point of the waterplane near the mesh, to keep cancellation small.
 Vec3 origin_at(const Box& box, double waterline) {
   return {(box.lo[0] + box.hi[0]) / 2, (box.lo[1] + box.hi[1]) / 2, waterline};
+}
+
+/// From a waterline at which the mesh displaces less to one at which it displaces `volume` or more, the
+/// lowest such that a look at a few levels tells; nothing where it nowhere does.
+/// @param most  becomes the most seen on the way
+std::optional<std::array<double, 2>> rise_to(const TriangleMesh& mesh, const Box& box, double volume,
+                                             double* most = nullptr) {
+  constexpr int levels = 12, halvings = 40;
+  const auto displaced = [&](double z) { return submerged(mesh, origin_at(box, z)).volume; };
+  const double low = box.lo[2], height = box.extent()[2];
+  double z = low, at_z = 0, seen = 0;
+  for (int level = 1; level <= levels; ++level) {
+    double next = low + height * level / levels;
+    double at_next = displaced(next);
+    // What is less than before has been flooded in between: the most is reached right below that.
+    if (at_next < at_z)
+      for (double dry = z, wet = next, halving = 0; halving < halvings; ++halving) {
+        const double middle = (dry + wet) / 2, there = displaced(middle);
+        if (there < at_z) {
+          wet = middle;
+          continue;
+        }
+        dry = middle;
+        seen = std::max(seen, there);
+        if (there >= volume) return {{z, middle}};
+        z = middle;
+        at_z = there;
+      }
+    seen = std::max(seen, at_next);
+    if (most) *most = seen;
+    if (at_next >= volume) return {{z, next}};
+    z = next;
+    at_z = at_next;
+  }
+  // To round-off all of it is under water.
+  if (seen >= volume * (1 - 1e-12)) return {{low, box.hi[2]}};
+  return {};
 }
 
 }  // namespace
@@ -91,6 +143,7 @@ Hydrostatics hydrostatics(const TriangleMesh& mesh, double waterline) {
   Hydrostatics result;
   result.waterline = waterline;
   result.volume = sum.volume;
+  result.dry = sum.dry;
   result.centre_of_buoyancy = sum.volume > 0 ? Vec3(origin + sum.first / sum.volume) : origin;
   result.waterplane_area = sum.section.area;
   const Section::Least least = sum.section.least_second_moment();
@@ -99,9 +152,12 @@ Hydrostatics hydrostatics(const TriangleMesh& mesh, double waterline) {
   return result;
 }
 
-double waterline_of(const TriangleMesh& mesh, double volume) {
+std::optional<double> waterline_of(const TriangleMesh& mesh, double volume) {
   const Box box = bounding_box(mesh);
-  double low = box.lo[2], high = box.hi[2], z = (low + high) / 2;
+  const auto span = rise_to(mesh, box, volume);
+  if (!span) return {};
+  auto [low, high] = *span;
+  double z = (low + high) / 2;
   const double round_off = 1e-15 * box.extent()[2];
   double before = std::numeric_limits<double>::infinity();
   // Newton's method, whose slope is the section's area; where it does not halve the error, or leaves what is
@@ -118,6 +174,34 @@ double waterline_of(const TriangleMesh& mesh, double volume) {
     z = next;
   }
   return z;
+}
+
+double most_displaced(const TriangleMesh& mesh) {
+  double most = 0;
+  (void)rise_to(mesh, bounding_box(mesh), std::numeric_limits<double>::infinity(), &most);
+  return most;
+}
+
+std::optional<double> flooding_heel(const TriangleMesh& mesh, double volume, double azimuth) {
+  constexpr double quarter = std::numbers::pi / 2, precise = 1e-3 * std::numbers::pi / 180;
+  constexpr int steps = 18;
+  const Vec3 along(std::cos(azimuth), std::sin(azimuth), 0);
+  const auto is_dry = [&](double heel) {
+    const TriangleMesh heeled = moved(mesh, Eigen::AngleAxisd(heel, along).toRotationMatrix());
+    const auto waterline = waterline_of(heeled, volume);
+    return waterline && hydrostatics(heeled, *waterline).dry > 0;
+  };
+  std::optional<double> least;
+  for (const double way : {1.0, -1.0})
+    for (int step = 1; step <= steps; ++step) {
+      double low = quarter * (step - 1) / steps, high = quarter * step / steps;
+      if (least && low >= *least) break;
+      if (is_dry(way * high)) continue;
+      while (high - low > precise) (is_dry(way * (low + high) / 2) ? low : high) = (low + high) / 2;
+      least = std::min(high, least.value_or(high));
+      break;
+    }
+  return least;
 }
 
 }  // namespace kreisel::core

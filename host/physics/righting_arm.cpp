@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "body/hydrostatics.hpp"
@@ -17,14 +18,16 @@ double righting_arm_at(const Afloat& afloat, double azimuth, double heel) {
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(heel, along).toRotationMatrix();
   TriangleMesh turned = afloat.mesh;
   for (Vec3& v : turned.vertices) v = turn * (v - afloat.centre_of_mass);
-  const Hydrostatics water = hydrostatics(turned, waterline_of(turned, afloat.volume));
+  const auto waterline = waterline_of(turned, afloat.volume);
+  if (!waterline) return std::numeric_limits<double>::quiet_NaN();
+  const Hydrostatics water = hydrostatics(turned, *waterline);
   // Lifted at r from the centre of mass the body gets the torque r x z; against a heel about `along`, that is
   // -along . (r x z).
   return -along.dot(water.centre_of_buoyancy.cross(Vec3::UnitZ()));
 }
 
 RightingArm righting_arm(const Afloat& afloat, double azimuth, int steps) {
-  const double all = hydrostatics(afloat.mesh, bounding_box(afloat.mesh).hi[2]).volume;
+  const double all = most_displaced(afloat.mesh);
   if (!(afloat.volume > 0 && afloat.volume < all) || steps < 2)
     throw InputError(
         fmt::format("righting arm with {:.4g} displaced, in {} steps; expected less than the {:.4g} of "
@@ -41,8 +44,8 @@ RightingArm righting_arm(const Afloat& afloat, double azimuth, int steps) {
   arm.metacentric_height =
       (righting_arm_at(afloat, azimuth, small) - righting_arm_at(afloat, azimuth, -small)) / (2 * small);
   if (!(arm.metacentric_height > 0)) return arm;
-  for (std::size_t i = 1; i + 2 < count; ++i) {  // at the last it is level again, upside down
-    if (!(arm.gz[i] > 0 && arm.gz[i + 1] <= 0)) continue;
+  for (std::size_t i = 1; i + 2 < count; ++i) {           // at the last it is level again, upside down
+    if (!(arm.gz[i] > 0) || arm.gz[i + 1] > 0) continue;  // it falls, or goes under
     double low = arm.heel[i], high = arm.heel[i + 1];
     for (int halving = 0; halving < 10; ++halving) {
       const double middle = (low + high) / 2;

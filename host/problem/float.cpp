@@ -16,7 +16,7 @@ Float::Float(const Draft& draft) : draft_(draft) {
   constraints_.matrix(0, S1) = constraints_.matrix(1, SX) = constraints_.matrix(2, SY) = 1;
   const Vec3& cb = draft.water.centre_of_buoyancy;
   constraints_.lower = constraints_.upper =
-      Eigen::Vector3d(draft.mass, cb[0] * draft.mass, cb[1] * draft.mass);
+      Eigen::Vector3d(draft.mass, cb[0] * draft.mass, cb[1] * draft.mass) - draft.load.head<3>();
   constraints_.names = {"mass = displaced mass", "cx over the centre of buoyancy",
                         "cy over the centre of buoyancy"};
 }
@@ -24,30 +24,35 @@ Float::Float(const Draft& draft) : draft_(draft) {
 Moments Float::gradient(const Moments&) const { return Moments::Unit(SZ) / draft_.mass; }
 
 std::string Float::scope(const MassModel& mass) const {
+  const double own = draft_.mass - draft_.load[S1];  // without what it carries
   if (!draft_.one_material) {
     const double grams = draft_.solid_grams;
-    return fmt::format("at this draft with a part of {:.4g} g; these materials make {:.4g} to {:.4g} g",
-                       grams * draft_.mass, grams * mass.fixed[S1], grams * mass.total(mass.interior)[S1]);
+    return fmt::format(
+        "at this draft with a part of {:.4g} g; these materials "
+        "make {:.4g} to {:.4g} g",
+        grams * own, grams * mass.fixed[S1], grams * mass.total(mass.interior)[S1]);
   }
-  // Solid, the part weighs 1 in solid masses; hollowed out altogether, mass.fixed. Either scales with
-  // density.
+  // Solid, the part weighs 1 in solid masses; hollowed out altogether,
+  // mass.fixed. Either scales with density.
   const double shell = mass.fixed[S1];
   return fmt::format(
-      "at this draft with a material of {:.3g} to {:.3g} g/cm^3, at some draft with up to {:.3g} g/cm^3 "
+      "at this draft with a material of {:.3g} to {:.3g} "
+      "g/cm^3, at some draft with up to {:.3g} g/cm^3 "
       "(here "
       "{:.3g})",
-      draft_.density * draft_.mass, draft_.density * draft_.mass / shell, draft_.fluid / shell,
-      draft_.density);
+      draft_.density * own, draft_.density * own / shell, draft_.fluid / shell, draft_.density);
 }
 
-Verdict Float::verify(const Moments& s, double length_mm) const {
+Verdict Float::verify(const Moments& part, double length_mm) const {
+  const Moments s = part + draft_.load;
   const Vec3 c = centre_of_mass(s);
   const Hydrostatics& water = draft_.water;
   const double excess = s[S1] / draft_.mass - 1;
   const double offset = (c - water.centre_of_buoyancy).head<2>().norm();
   const double gm = water.metacentre() - c[2];
   const bool afloat = std::abs(excess) <= 1e-3, above = offset <= 1e-3, stable = gm > 0;
-  // For small angles the righting arm is GM sin(heel): the heel at which it takes up the offset.
+  // For small angles the righting arm is GM sin(heel): the heel at which it
+  // takes up the offset.
   const double heel = stable ? std::atan(offset / gm) * 180 / std::numbers::pi : NAN;
 
   Verdict verdict;
@@ -61,14 +66,25 @@ Verdict Float::verify(const Moments& s, double length_mm) const {
                     {"displaced_mm3", water.volume * std::pow(length_mm, 3)},
                     {"centre_of_buoyancy_z_mm", water.centre_of_buoyancy[2] * length_mm},
                     {"waterplane_mm2", water.waterplane_area * length_mm * length_mm},
-                    {"objective", value(s)}};
+                    {"dry_mm3", water.dry * std::pow(length_mm, 3)},
+                    {"objective", value(part)}};
+  std::string boat;
+  if (draft_.floods_at) {
+    const double degrees = *draft_.floods_at * 180 / std::numbers::pi;
+    verdict.values["floods_at_degrees"] = degrees;
+    boat = fmt::format("; water comes over its rim at a heel of {:.2f} degrees", degrees);
+  }
   const std::string where = fmt::format(
-      "mass {:+.3f} % of the displaced water's, centre of mass {:.3f} mm from the vertical through the "
+      "mass {:+.3f} % of the displaced water's, centre of mass "
+      "{:.3f} mm from the vertical through the "
       "centre of "
       "buoyancy, metacentric height {:.3f} mm",
       100 * excess, offset * length_mm, gm * length_mm);
+  const std::string loaded =
+      draft_.load[S1] > 0 ? fmt::format("with {:.4g} g on board, ", draft_.load[S1] * draft_.solid_grams)
+                          : "";
   if (verdict.ok) {
-    verdict.text = fmt::format("floats: {}; heels {:.2f} degrees at rest", where, heel);
+    verdict.text = fmt::format("floats: {}{}; heels {:.2f} degrees at rest{}", loaded, where, heel, boat);
     return verdict;
   }
   std::vector<std::string_view> reasons;
@@ -92,7 +108,8 @@ DraftSpec draft(std::string_view key, std::string_view text) {
       above_none(depth))
     return {DraftSpec::depth, *depth};
   field_text::refuse(key, text,
-                     "a share of the height such as 60%, a depth in mm, a mass such as 40g, solid or auto");
+                     "a share of the height such as 60%, a depth in mm, a mass "
+                     "such as 40g, solid or auto");
 }
 
 std::string text_of(const DraftSpec& draft) {
@@ -111,8 +128,30 @@ std::string text_of(const DraftSpec& draft) {
   return "auto";
 }
 
-/// Body frame. @param fluid  g/cm^3
-double waterline_for(const DraftSpec& draft, const Body& body, double fluid) {
+std::vector<Load> loads(std::string_view key, std::string_view text) {
+  std::vector<Load> all;
+  for (const std::string_view one : field_text::split(text, ';')) {
+    const std::size_t at = one.find('@');
+    const auto grams = at == one.npos ? std::nullopt : parse_with_unit(one.substr(0, at), "g");
+    const auto plain = at == one.npos ? std::nullopt : parse<double>(one.substr(0, at));
+    const auto where = at == one.npos ? std::nullopt : parse_vector(one.substr(at + 1));
+    const double mass = grams ? *grams : plain.value_or(0);
+    if (!where || !(mass > 0)) field_text::refuse(key, text, "grams and a place in mm, such as 20@0,0,5");
+    all.push_back({mass, *where});
+  }
+  return all;
+}
+
+std::string text_of(const std::vector<Load>& loads) {
+  std::string text;
+  for (const Load& load : loads)
+    text +=
+        fmt::format("{}{}@{},{},{}", text.empty() ? "" : ";", load.grams, load.at[0], load.at[1], load.at[2]);
+  return text;
+}
+
+/// Body frame. @param fluid  g/cm^3  @param load  g
+double waterline_for(const DraftSpec& draft, const Body& body, double fluid, double load) {
   const Box box = bounding_box(body.local);
   const double height = box.extent()[2];
   switch (draft.kind) {
@@ -120,14 +159,16 @@ double waterline_for(const DraftSpec& draft, const Body& body, double fluid) {
       return box.lo[2] + draft.value / 100 * height;
     case DraftSpec::mass:
     case DraftSpec::solid: {
-      const double grams = draft.kind == DraftSpec::solid ? body.mass_grams() : draft.value;
-      const double most = fluid / body.density * body.mass_grams();
-      if (!(grams < most))
-        throw InputError(
-            fmt::format("problem.draft = {}: {} sinks with {:.4g} g; expected less than the "
-                        "{:.4g} g of fluid that it displaces when submerged",
-                        text_of(draft), body.name, grams, most));
-      return waterline_of(body.local, body.solid[S1] * grams / most);
+      const double grams = draft.kind == DraftSpec::solid ? body.mass_grams() + load : draft.value;
+      const double submerged = fluid / body.density * body.mass_grams();
+      if (const auto waterline = waterline_of(body.local, body.solid[S1] * grams / submerged);
+          waterline && box.hi[2] - *waterline > 1e-9 * height)
+        return *waterline;
+      throw InputError(fmt::format(
+          "problem.draft = {}: {} sinks with {:.4g} g; expected less "
+          "than the {:.4g} g of "
+          "fluid that it can displace",
+          text_of(draft), body.name, grams, most_displaced(body.local) / body.solid[S1] * submerged));
     }
     case DraftSpec::depth:
       if (draft.value <= height * body.frame.length) return box.lo[2] + draft.value / body.frame.length;
@@ -136,7 +177,9 @@ double waterline_for(const DraftSpec& draft, const Body& body, double fluid) {
     case DraftSpec::open:
       break;
   }
-  throw InputError("problem.draft = auto: a draft that is to be found; expected one that is known");
+  throw InputError(
+      "problem.draft = auto: a draft that is to be found; "
+      "expected one that is known");
 }
 
 }  // namespace
@@ -148,19 +191,37 @@ Fields<FloatSettings> float_fields() {
            [](auto& s) { return kreisel::core::text_of(s.draft); }},
           {"fluid_density", "g/cm^3", "default 1",
            [](auto& s, auto k, auto v) { s.fluid_density = positive(k, v); },
-           [](auto& s) { return number_text(s.fluid_density); }}};
+           [](auto& s) { return number_text(s.fluid_density); }},
+          {"load", "g@x,y,z", "a weight that it carries and where, mm; several with ; between",
+           [](auto& s, auto k, auto v) { s.loads = loads(k, v); },
+           [](auto& s) { return kreisel::core::text_of(s.loads); }}};
+}
+
+Moments moments_of(const std::vector<Load>& loads, const Body& body) {
+  Moments all = Moments::Zero();
+  for (const Load& load : loads) {
+    const double mass = load.grams / body.mass_grams();
+    all[S1] += mass;
+    all.segment<3>(SX) += mass * body.frame.to_body(load.at);
+  }
+  return all;
 }
 
 std::unique_ptr<Problem> make_float(const Settings& settings, const Body& body) {
-  const auto [draft, fluid] = settings_as<FloatSettings>(settings);
+  const auto [draft, fluid, loads] = settings_as<FloatSettings>(settings);
   Draft result;
-  result.water = hydrostatics(body.local, waterline_for(draft, body, fluid));
+  result.load = moments_of(loads, body);
+  result.water =
+      hydrostatics(body.local, waterline_for(draft, body, fluid, result.load[S1] * body.mass_grams()));
   result.fluid = fluid;
   result.density = body.density;
   result.one_material = body.one_material() && body.void_density == 0;
   result.solid_grams = body.mass_grams();
   // A body unit of volume is the solid's own, and so is a unit of mass.
   result.mass = fluid / body.density * result.water.volume;
+  constexpr double boat = 0.01;  // of the displaced: hardly what the folds of a scan hold
+  if (result.water.dry > boat * result.water.volume)
+    result.floods_at = flooding_heel(body.local, result.water.volume, result.water.least_axis);
   return std::make_unique<Float>(result);
 }
 
@@ -168,7 +229,8 @@ std::vector<Settings> drafts_of(const Settings& settings, const Body&) {
   auto each = settings_as<FloatSettings>(settings);
   if (each.draft.kind != DraftSpec::open) return {settings};
   std::vector<Settings> all;
-  // Shares of the height: what displaces nothing like what the body can weigh is infeasible at once.
+  // Shares of the height: what displaces nothing like what the body can weigh
+  // is infeasible at once.
   for (const double percent : {25, 40, 50, 60, 70, 85}) {
     each.draft = {DraftSpec::share, percent};
     all.emplace_back(each);

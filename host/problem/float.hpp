@@ -1,6 +1,8 @@
 // float.hpp - the floating problem. [RayRep, eq. 3-5]
 #pragma once
 
+#include <vector>
+
 #include "body/hydrostatics.hpp"
 #include "problem/problem.hpp"
 
@@ -8,16 +10,21 @@ namespace kreisel::core {
 
 /// The water a body floats in, and how deep.
 struct Draft {
-  Hydrostatics water;             ///< body frame and units
-  double mass = 0;                ///< of the displaced fluid, in solid masses: what the part must weigh
-  double fluid = 1, density = 1;  ///< of the fluid and of the shell, g/cm^3
-  bool one_material = true;  ///< in shell and interior, and voids are empty: then any density can be asked of
-  double solid_grams = 1;    ///< a solid mass
+  Hydrostatics water;              ///< body frame and units
+  double mass = 0;                 ///< of the displaced fluid, in solid masses: what the part must weigh
+  double fluid = 1, density = 1;   ///< of the fluid and of the shell, g/cm^3
+  bool one_material = true;        ///< in shell and interior, and voids are empty:
+                                   ///< then any density can be asked of
+  double solid_grams = 1;          ///< a solid mass
+  Moments load = Moments::Zero();  ///< what is carried: its mass and first
+                                   ///< moments, in solid masses
+  std::optional<double> floods_at = {};  ///< heel at which water comes over a rim, radians; of a boat
 };
 
-/// Minimise c_z with the centre of mass over the centre of buoyancy and the part's mass that of the water it
-/// displaces: sx = c_bx m_b, sy = c_by m_b, s1 = m_b. All linear: the optimal cavity is what lies above a
-/// plane, so rays are filled from below.
+/// Minimise c_z with the centre of mass over the centre of buoyancy and the
+/// part's mass that of the water it displaces: sx = c_bx m_b, sy = c_by m_b, s1
+/// = m_b; all of these with what the part carries. All linear: the optimal
+/// cavity is what lies above a plane, so rays are filled from below.
 class Float final : public Problem {
  public:
   explicit Float(const Draft& draft);
@@ -25,21 +32,24 @@ class Float final : public Problem {
   [[nodiscard]] std::string_view name() const override { return "float"; }
   [[nodiscard]] Convexity convexity() const override { return Convexity::linear; }
   [[nodiscard]] Traits traits() const override { return {Filling::from_below}; }
-  [[nodiscard]] double value(const Moments& s) const override { return s[SZ] / draft_.mass; }
+  [[nodiscard]] double value(const Moments& s) const override {
+    return (s[SZ] + draft_.load[SZ]) / draft_.mass;
+  }
   [[nodiscard]] Moments gradient(const Moments&) const override;
   [[nodiscard]] Matrix10 hessian(const Moments&) const override { return Matrix10::Zero(); }
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
 
   /// Minus the metacentric height.
   [[nodiscard]] double pose_loss(const Moments& s) const override {
-    return centre_of_mass(s)[2] - draft_.water.metacentre();
+    return centre_of_mass(s + draft_.load)[2] - draft_.water.metacentre();
   }
 
   /// The densities with which the body can float at this draft, and at any.
   [[nodiscard]] std::string scope(const MassModel& mass) const override;
 
-  /// Floats upright when mass and displaced mass agree to 1e-3, the centre of mass is within 1e-3 L of the
-  /// vertical through the centre of buoyancy, and it lies below the metacentre.
+  /// Floats upright when mass and displaced mass agree to 1e-3, the centre of
+  /// mass is within 1e-3 L of the vertical through the centre of buoyancy, and
+  /// it lies below the metacentre.
   [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override;
 
  private:
@@ -60,18 +70,30 @@ struct DraftSpec {
   double value = 60;
 };
 
+/// A weight that is put into or onto the body, and is small beside it.
+struct Load {
+  double grams = 0;
+  Vec3 at{0, 0, 0};  ///< model coordinates, mm
+};
+
 struct FloatSettings {
   DraftSpec draft;
   double fluid_density = 1;  ///< g/cm^3
+  std::vector<Load> loads = {};
 };
+
+/// Mass and first moments of the loads: solid masses, body frame and units. The
+/// others are 0.
+[[nodiscard]] Moments moments_of(const std::vector<Load>& loads, const Body& body);
 
 [[nodiscard]] Fields<FloatSettings> float_fields();
 /// @param settings  FloatSettings
-/// @throws InputError  a draft outside the body or left open, or a mass that displaces more than the body
+/// @throws InputError  a draft outside the body or left open, or a mass that
+/// displaces more than the body
 std::unique_ptr<Problem> make_float(const Settings& settings, const Body& body);
 
-/// Settings with an open draft: one with each of the drafts to try, six from 25 to 85 % of the height.
-/// Others as they are.
+/// Settings with an open draft: one with each of the drafts to try, six from 25
+/// to 85 % of the height. Others as they are.
 [[nodiscard]] std::vector<Settings> drafts_of(const Settings& settings, const Body&);
 
 }  // namespace kreisel::core

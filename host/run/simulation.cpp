@@ -34,7 +34,8 @@ double default_rpm(const Subject& subject, Contact contact) {
     return (ranges.back().low + ranges.back().high) / 2;
   if (!ranges.empty()) return rpm_per_unit(subject.solid.frame.length);  // at any: one radian a unit of time
   throw InputError(
-      fmt::format("{} can spin stably at no speed, moments {:.3g}, {:.3g} and {:.3g} about z, in "
+      fmt::format("{} can spin stably at no speed, moments {:.3g}, {:.3g} and "
+                  "{:.3g} about z, in "
                   "body units; expected a speed, --omega RPM, to see it fall",
                   subject.solid.name, inertia_about_centre(subject.part)(0, 0),
                   inertia_about_centre(subject.part)(1, 1), inertia_about_centre(subject.part)(2, 2)));
@@ -44,7 +45,8 @@ std::vector<double> scan_speeds(const Subject& subject, double rpm) {
   std::vector<double> speeds = {rpm};
   add_bounds(speeds, subject.solid.solid, subject.solid.frame.length);
   add_bounds(speeds, subject.part, subject.solid.frame.length);
-  // A body all but as stable about another axis needs a speed out of all proportion.
+  // A body all but as stable about another axis needs a speed out of all
+  // proportion.
   const double most = std::min(2 * *std::ranges::max_element(speeds), 10 * rpm);
   constexpr int count = 100;
   std::vector<double> scan;
@@ -71,14 +73,15 @@ RightingArm weaker_side(const Afloat& afloat, double azimuth, const Control& con
   return other.vanishing && other.vanishing < one.vanishing.value_or(std::numbers::pi) ? other : one;
 }
 
-std::vector<RightingArm> float_of(const Subject& subject, const Moments& s, const Control& control) {
+std::vector<RightingArm> float_of(const Subject& subject, const Moments& part, const Control& control) {
   const Body& solid = subject.solid;
-  const double volume =
-      s[S1] * solid.density / settings_as<FloatSettings>(problem_settings(subject.config)).fluid_density;
-  const double submerged = hydrostatics(solid.local, bounding_box(solid.local).hi[2]).volume;
-  if (!(volume < (1 - 1e-6) * submerged)) return {};  // nothing of it stays above the water
+  const auto settings = settings_as<FloatSettings>(problem_settings(subject.config));
+  const Moments s = part + moments_of(settings.loads, solid);
+  const double volume = s[S1] * solid.density / settings.fluid_density;
+  // Nothing of it stays above the water?
+  if (!(volume < (1 - 1e-6) * most_displaced(solid.local))) return {};
   const Afloat afloat{solid.local, centre_of_mass(s), volume};
-  const double axis = hydrostatics(solid.local, waterline_of(solid.local, volume)).least_axis;
+  const double axis = hydrostatics(solid.local, waterline_of(solid.local, volume).value()).least_axis;
   return {weaker_side(afloat, axis, control), weaker_side(afloat, axis + std::numbers::pi / 2, control)};
 }
 
@@ -93,7 +96,8 @@ std::vector<Contact> usual_contacts(const ProblemEntry& problem) {
   return {Contact::gliding, Contact::held};
 }
 
-/// How an experiment sets a part in motion where it says nothing else. @return  false: no speed will do
+/// How an experiment sets a part in motion where it says nothing else. @return
+/// false: no speed will do
 bool choose_motion(SimulationSpec& motion, const Subject& subject) {
   const double length = subject.solid.frame.length;
   const auto contacts_to_try = motion.contact ? std::vector<Contact>{*motion.contact}
@@ -150,7 +154,8 @@ const ProblemEntry& moving_problem(const std::string& name) {
                                fmt::join(moving, ", ")));
 }
 
-/// @param still  nothing is set in motion where no speed is given; else one is found
+/// @param still  nothing is set in motion where no speed is given; else one is
+/// found
 Simulation simulated(const Subject& subject, const SimulationSpec& spec, bool still,
                      const device::Device& device, const Control& control) {
   const RunConfig& config = subject.config;
@@ -191,7 +196,8 @@ Simulation run_simulation(const SimulationRun& asked, const Control& control) {
   const ProblemEntry& problem = moving_problem(asked.problem);
   const RunResult result = run(asked, {}, control).result;
   if (result.outcome.termination == Termination::interrupted) throw Interrupted();
-  // The best compromise of what cannot be met is no part that anybody asked for.
+  // The best compromise of what cannot be met is no part that anybody asked
+  // for.
   if (result.outcome.termination == Termination::infeasible || !(result.verified.moments[S1] > 0)) {
     Simulation none;
     none.config = asked;

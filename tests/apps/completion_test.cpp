@@ -46,7 +46,8 @@ TEST(Completion, OffersWhatAFieldTakes) {
   EXPECT_EQ(offered("nest --topology r"), (Words{"ring", "random"}));
   EXPECT_EQ(offered("simulate --contact g"), (Words{"gliding"}));
   EXPECT_EQ(offered("--up ''"), (Words{"auto", "near:", "rest:"}));
-  EXPECT_EQ(offered("--set problem.l"), (Words{"problem.lambda=", "problem.line=", "problem.lower="}));
+  EXPECT_EQ(offered("--set problem.l"),
+            (Words{"problem.lambda=", "problem.line=", "problem.load=", "problem.lower="}));
   EXPECT_EQ(offered("fields sw"), (Words{"swarm"}));
   EXPECT_EQ(offered("show x.h5 --columns solid.r"), (Words{"solid.rpm"}));
 }

@@ -245,7 +245,8 @@ double metacentric_radius(const TriangleMesh& mesh, double volume, const Vec3& a
   for (const int side : {0, 1}) {
     const Eigen::Matrix3d heel = Eigen::AngleAxisd(side ? angle : -angle, axis).toRotationMatrix();
     const TriangleMesh heeled = moved(mesh, heel, Vec3::Zero());
-    centre[side] = heel.transpose() * hydrostatics(heeled, waterline_of(heeled, volume)).centre_of_buoyancy;
+    centre[side] =
+        heel.transpose() * hydrostatics(heeled, waterline_of(heeled, volume).value()).centre_of_buoyancy;
   }
   const Vec3 across = Vec3::UnitZ().cross(axis);
   return std::abs((centre[1] - centre[0]).dot(across)) / (2 * angle);
@@ -256,7 +257,7 @@ TEST(Hydrostatics, TheMetacentreIsTheCentreOfCurvatureOfTheBuoyancyCurve) {
   for (int trial = 0; trial < 10; ++trial) {
     const TriangleMesh c = moved(letter_c_mesh(1.3), random_rotation(random), Vec3::Zero());
     const double volume = uniform(random, 0.2, 0.8) * 7 * 1.3;
-    const Hydrostatics h = hydrostatics(c, waterline_of(c, volume));
+    const Hydrostatics h = hydrostatics(c, waterline_of(c, volume).value());
     const double xx = metacentric_radius(c, volume, Vec3::UnitX());
     const double yy = metacentric_radius(c, volume, Vec3::UnitY());
     const double both = metacentric_radius(c, volume, Vec3(1, 1, 0).normalized());
@@ -275,16 +276,76 @@ TEST(WaterlineOf, IsTheInverseOfTheDisplacedVolume) {
     const TriangleMesh c = moved(letter_c_mesh(1.3), random_rotation(random), random_vec(random, -3, 3));
     const double whole = reference::mesh_moments(c).value[S1], wanted = uniform(random, 0, whole);
     // A waterline is good to a rounding of its own, times the section's area, at most 4.3 x 1.3 x 2.
-    EXPECT_NEAR(hydrostatics(c, waterline_of(c, wanted)).volume, wanted, 12 * round_off);
+    EXPECT_NEAR(hydrostatics(c, waterline_of(c, wanted).value()).volume, wanted, 12 * round_off);
     // A tip's volume is cubic in its depth, so round-off of a volume is some cube root of it in depth.
     const Box box = bounding_box(c);
-    EXPECT_NEAR(waterline_of(c, 0), box.lo[2], std::cbrt(round_off));
-    EXPECT_NEAR(waterline_of(c, whole), box.hi[2], std::cbrt(12 * round_off));
+    EXPECT_NEAR(waterline_of(c, 0).value(), box.lo[2], std::cbrt(round_off));
+    EXPECT_NEAR(waterline_of(c, whole).value(), box.hi[2], std::cbrt(12 * round_off));
   }
 }
 
 TEST(WaterlineOf, OfABoxIsProportionalToTheVolume) {
-  EXPECT_NEAR(waterline_of(box_mesh({0, 0, -1}, {2, 3, 4}), 7.5), 0.25, round_off);
+  EXPECT_NEAR(waterline_of(box_mesh({0, 0, -1}, {2, 3, 4}), 7.5).value(), 0.25, round_off);
+}
+
+/// A box of 60 x 30 x 20 with walls and floor of 2, open above, its floor's underside at z = 0.
+TriangleMesh barge() {
+  TriangleMesh hull = box_mesh({0, 0, 0}, {60, 30, 20}), hold = box_mesh({2, 2, 2}, {58, 28, 20});
+  const auto on_top = [](const TriangleMesh& mesh, const Triangle& t) {
+    return mesh.vertices[t[0]][2] == 20 && mesh.vertices[t[1]][2] == 20 && mesh.vertices[t[2]][2] == 20;
+  };
+  std::erase_if(hull.triangles, [&](const Triangle& t) { return on_top(hull, t); });
+  std::erase_if(hold.triangles, [&](const Triangle& t) { return on_top(hold, t); });
+  for (const Vec3& v : hold.vertices) hull.vertices.push_back(v);
+  for (const auto& [a, b, c] : hold.triangles) hull.triangles.push_back({a + 8, c + 8, b + 8});
+  // The rim: corners 4 5 7 6 of the hull, 12 13 15 14 of the hold, seen from above counter-clockwise.
+  const std::array<std::uint32_t, 4> around{4, 5, 7, 6};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::uint32_t a = around[k], b = around[(k + 1) % 4];
+    hull.triangles.push_back({a, b, b + 8});
+    hull.triangles.push_back({a, b + 8, a + 8});
+  }
+  return hull;
+}
+
+TEST(Boat, KeepsWaterOutBelowItsRim) {
+  const TriangleMesh boat = barge();
+  const double material = 60 * 30 * 20 - 56 * 26 * 18;
+  const Hydrostatics h = hydrostatics(boat, 6.75);
+  EXPECT_NEAR(h.volume, 60 * 30 * 6.75, 1e-9);
+  EXPECT_NEAR(h.dry, 56 * 26 * 4.75, 1e-9);
+  EXPECT_NEAR(h.waterplane_area, 60 * 30, 1e-9);
+  EXPECT_NEAR(h.least_second_moment, 60 * std::pow(30, 3) / 12, 1e-6);
+  EXPECT_NEAR((h.centre_of_buoyancy - Vec3(30, 15, 6.75 / 2)).norm(), 0, 1e-9);
+  EXPECT_NEAR(hydrostatics(boat, 20).volume, material, 1e-9);  // swamped
+  EXPECT_EQ(hydrostatics(boat, 20).dry, 0);
+  EXPECT_NEAR(waterline_of(boat, 12142.08).value(), 6.7456, 1e-9);  // 9792 mm^3 of 1.24 g/cm^3
+  EXPECT_NEAR(waterline_of(boat, 35000).value(), 35000 / 1800.0, 1e-9);
+  EXPECT_FALSE(waterline_of(boat, 36001));
+  EXPECT_NEAR(most_displaced(boat), 36000, 1e-6);
+}
+
+TEST(Boat, HeelsUntilTheWaterComesOverItsRim) {
+  // About its length, until the water z = a + t y is at the rim's inner edge: a + 13 t = 20. Its outer edge
+  // is under by then, so that the section's area is 28 a + (13^2 - 15^2) t / 2 + 2 x 20 = 30 x 12.
+  const auto heel = flooding_heel(barge(), 1800 * 12, 0);
+  ASSERT_TRUE(heel);
+  EXPECT_NEAR(std::tan(*heel), (20 - 320 / 28.0) / 14, 3e-5);  // a thousandth of a degree
+}
+
+TEST(Boat, WithAHoleInItsHullIsNone) {
+  // A tower through the floor, open at both ends: as a ring it lets the water in.
+  EXPECT_EQ(hydrostatics(ring_mesh(12, 2, 1, 0, 3), 2).dry, 0);
+}
+
+TEST(Boat, ASealedCavityIsDry) {
+  TriangleMesh hollow = box_mesh({0, 0, 0}, {4, 4, 4});
+  const TriangleMesh cavity = box_mesh({1, 1, 1}, {3, 3, 3});
+  for (const Vec3& v : cavity.vertices) hollow.vertices.push_back(v);
+  for (const auto& [a, b, c] : cavity.triangles) hollow.triangles.push_back({a + 8, c + 8, b + 8});
+  EXPECT_NEAR(hydrostatics(hollow, 2).volume, 32, 1e-12);  // cut open by the plane
+  EXPECT_NEAR(hydrostatics(hollow, 3.5).volume, 56, 1e-12);
+  EXPECT_NEAR(hydrostatics(hollow, 3.5).dry, 8, 1e-12);
 }
 
 }  // namespace

@@ -168,5 +168,25 @@ TEST(MakeFloat, RefusesAMassThatSinksAndSaysWhatTheBodyDisplaces) {
   expect_refused("float", {{"draft", "solid"}}, barge(1), "sinks");  // as heavy as water: no waterline
 }
 
+TEST(Float, ALoadIsPartOfWhatFloats) {
+  // 10 g at the keel's middle, 5 g on one side: of a barge of 125 g, of which the water carries 100 g.
+  const Body body = barge();
+  const Vec3 keel = body.frame.to_model({0.3, 0, 0}), side = body.frame.to_model({0.3, 0.4, 0.5});
+  const std::string loads =
+      fmt::format("10@{},{},{};5g@{},{},{}", keel[0], keel[1], keel[2], side[0], side[1], side[2]);
+  const auto afloat = make_problem("float", {{"draft", "100g"}, {"load", loads}}, body);
+  // The part is the rest: 85 g, with its centre of mass as far on the other side.
+  const Moments part = load(85 / 125.0, {0.3, -5 * 0.4 / 85, 0.1});
+  EXPECT_NEAR(violation(*afloat, part), 0, round_off);
+  const Verdict v = afloat->verify(part, length_mm);
+  EXPECT_TRUE(v.ok) << v.text;
+  EXPECT_NEAR(v.values.at("offset_mm"), 0, length_mm * round_off);
+  EXPECT_NEAR(v.values.at("centre_of_mass_z_mm"), length_mm * (85 * 0.1 + 5 * 0.5) / 100, 100 * round_off);
+  EXPECT_NE(v.text.find("with 15 g on board"), std::string::npos) << v.text;
+  for (const char* text : {"10", "10@1,2", "-1@0,0,0", "x@0,0,0"})
+    expect_refused("float", {{"load", text}}, body,
+                   std::string("problem.load = ") + text + "; expected grams");
+}
+
 }  // namespace
 }  // namespace kreisel::core

@@ -14,7 +14,7 @@ TEST(ProblemSettings, OfTheRegistryAreThoseThatEachProblemTakes) {
       {"top", {{"lower", "height"}, {"gamma_c", "0"}, {"gamma_i", "1"}, {"form", "angle"}}},
       {"yoyo", {{"gamma_i", "2"}, {"form", "trace"}}},
       {"stand", {{"target", "inside"}, {"margin", "0.1"}, {"base", "2%"}}},
-      {"float", {{"draft", "60%"}, {"fluid_density", "1.2"}}},
+      {"float", {{"draft", "60%"}, {"fluid_density", "1.2"}, {"load", "2@0,0,1"}}},
       {"balance", {{"point", "0,0,0"}, {"line", "0,1,0"}}},
       {"hang", {{"point", "0,0,19"}, {"line", "0,0,1"}}},
       {"die", {}}};

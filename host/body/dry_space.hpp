@@ -1,0 +1,20 @@
+// dry_space.hpp - where water does not come: below its level, but within a hull.
+#pragma once
+
+#include <vector>
+
+#include "geometry/triangle_mesh.hpp"
+
+namespace kreisel::core {
+
+/// The part of the surface at or below the plane z = level that no water touches: that of hollows whose rim
+/// is above the plane all around and that have no way out below it, and of cavities. For each vertex whether
+/// it is of that part; empty where there is none. Decided on the triangles: a wall keeps water out however
+/// thin it is.
+///
+/// The section's loops and the pieces of surface below the plane tell it: two regions of the plane without
+/// material are one water where a piece of surface ends in both.
+/// @param mesh  closed, outward
+[[nodiscard]] std::vector<char> dry_vertices(const TriangleMesh& mesh, double level);
+
+}  // namespace kreisel::core
