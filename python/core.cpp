@@ -79,6 +79,13 @@ void add_errors(py::module_& m) {
   });
 }
 
+InsideOut way_inside_out(const std::string& word) {
+  if (word == "refused") return InsideOut::refused;
+  if (word == "solid") return InsideOut::solid;
+  if (word == "void") return InsideOut::empty;
+  throw InputError("inside_out '" + word + "'; expected refused, solid or void");
+}
+
 void add_bodies(py::module_& m) {
   py::class_<Verdict>(m, "Verdict", "Does a finished part do what was asked?")
       .def_readonly("ok", &Verdict::ok)
@@ -92,20 +99,36 @@ void add_bodies(py::module_& m) {
            "Opens it: an index or part of a name; empty: $KREISEL_DEVICE, a GPU, PoCL, the first there is.")
       .def_property_readonly("name", &Device::name);
 
+  py::class_<Mending>(m, "Mending",
+                      "How far a mesh may be mended to become a solid, beyond what changes nothing.")
+      .def(py::init([](std::optional<double> weld, std::optional<double> close_holes,
+                       const std::string& inside_out, const std::vector<int>& pieces) {
+             return Mending{weld, close_holes, way_inside_out(inside_out), pieces};
+           }),
+           py::arg("weld") = py::none(), py::arg("close_holes") = py::none(),
+           py::arg("inside_out") = "refused", py::arg("pieces") = std::vector<int>(),
+           "weld: corners at open edges that are this near, mm, are one; None: as near as the file's numbers "
+           "are "
+           "precise. close_holes: those no larger across, mm, are closed by a patch. inside_out: what the "
+           "surface "
+           "encloses inside out is, solid, void or refused. pieces: of several that do not touch those that "
+           "are "
+           "meant, by weight from 1; [1] is the largest.");
+
   py::class_<Body>(m, "Body", "A solid, its mesh mended where that is safe, and checked. Lengths in mm.")
-      .def(py::init([](const Vertices& v, const Faces& f) { return Body(mesh_of(v, f)); }),
-           py::arg("vertices"), py::arg("faces"),
+      .def(py::init([](const Vertices& v, const Faces& f, const Mending& mending) {
+             return Body(mesh_of(v, f), mending);
+           }),
+           py::arg("vertices"), py::arg("faces"), py::arg("mending") = Mending(),
            "Of arrays (n, 3) and (m, 3). Raises InputError where they bound no solid.")
       .def_static(
           "read",
-          [](const std::filesystem::path& file, double mm, std::optional<double> weld) {
+          [](const std::filesystem::path& file, double mm, const Mending& mending) {
             const py::gil_scoped_release released;
-            return Body::read(file, mm, weld);
+            return Body::read(file, mm, mending);
           },
-          py::arg("file"), py::arg("mm_per_unit") = 1.0, py::arg("weld") = py::none(),
-          "Reads OFF, OBJ, PLY, STL or 3MF. weld: corners at open edges that are this near, mm, are one; "
-          "None: as "
-          "near as the file's numbers are precise.")
+          py::arg("file"), py::arg("mm_per_unit") = 1.0, py::arg("mending") = Mending(),
+          "Reads OFF, OBJ, PLY, STL or 3MF. Raises InputError where it bounds no solid.")
       .def_static("model", &Body::model, py::arg("name"), "A model of `bench list`.")
       .def_property_readonly(
           "mesh", [](const py::object& self) { return views_of(self.cast<const Body&>().mesh(), self); },

@@ -32,6 +32,8 @@ void add_inspections(py::module_& m) {
       .def_readonly("mass", &SolidReport::mass)
       .def_readonly("principal", &SolidReport::principal, "Moments of inertia, g mm^2, ascending.")
       .def_readonly("axes", &SolidReport::axes, "(3, 3), a column each.")
+      .def_readonly("pieces", &SolidReport::pieces,
+                    "Mass of each that touches no other, g, the heaviest first.")
       .def_readonly("rests", &SolidReport::rests, "Stable ways of lying, the most probable first.")
       .def_readonly("verdicts", &SolidReport::verdicts, "What each problem says of it as it is.");
   py::class_<Inspection>(m, "Inspection", "Everything about a mesh.")
@@ -52,20 +54,20 @@ void add_inspections(py::module_& m) {
       });
   m.def(
       "inspect",
-      [](const std::filesystem::path& file, double mm_per_unit, double density, std::optional<double> weld) {
+      [](const std::filesystem::path& file, double mm_per_unit, double density, const Mending& mending) {
         const py::gil_scoped_release released;
-        return inspect(file, mm_per_unit, density, weld);
+        return inspect(file, mm_per_unit, density, mending);
       },
-      py::arg("file"), py::arg("mm_per_unit") = 1.0, py::arg("density") = 1.0, py::arg("weld") = py::none(),
+      py::arg("file"), py::arg("mm_per_unit") = 1.0, py::arg("density") = 1.0, py::arg("mending") = Mending(),
       "Checks, repairs, shells; as a solid its mass properties. That it is no solid is an answer, no error.");
   m.def(
       "inspect",
-      [](const Vertices& vertices, const Faces& faces, double density) {
+      [](const Vertices& vertices, const Faces& faces, double density, const Mending& mending) {
         Mesh mesh = mesh_of(vertices, faces);
         const py::gil_scoped_release released;
-        return inspect(std::move(mesh), density);
+        return inspect(std::move(mesh), density, mending);
       },
-      py::arg("vertices"), py::arg("faces"), py::arg("density") = 1.0);
+      py::arg("vertices"), py::arg("faces"), py::arg("density") = 1.0, py::arg("mending") = Mending());
 }
 
 }  // namespace kreisel::python

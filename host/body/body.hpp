@@ -12,6 +12,7 @@
 #include "body/stem.hpp"
 #include "device/device.hpp"
 #include "geometry/triangle_mesh.hpp"
+#include "kreisel/mending.hpp"
 #include "kreisel/problem.hpp"
 #include "mesh/io/length_unit.hpp"
 
@@ -24,8 +25,7 @@ struct BodySpec {
   std::optional<Vec3> up;       ///< default the model's, else +z
   std::optional<Vec3> contact;  ///< a point of the axis; default the model's, else the lowest point along it
   std::optional<LengthUnit> unit;  ///< of a file whose format has none; default mm
-  std::optional<double>
-      weld;  ///< corners of a file this near at open edges become one, mm; default its digits'
+  Mending mending;                 ///< of a file
   /// Longest side of the bounding box, mm; default the model's, else as the file is in its
   /// unit.
   std::optional<double> size;

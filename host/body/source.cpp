@@ -54,11 +54,18 @@ void require_unit_wanted(const BodySpec& spec) {
 
 /// Only what is read from the user's file may have corners that differ by round-off.
 void require_weld_wanted(const BodySpec& spec) {
-  if (!spec.weld) return;
-  if (!(*spec.weld >= 0)) throw InputError(fmt::format("weld {} mm; expected >= 0", *spec.weld));
+  const std::optional<double>& weld = spec.mending.weld;
+  if (!weld) return;
+  if (!(*weld >= 0)) throw InputError(fmt::format("weld {} mm; expected >= 0", *weld));
   if (is_known(spec.model))
-    throw InputError(fmt::format("weld {} mm for model '{}'; expected none with the name of a model",
-                                 *spec.weld, spec.model));
+    throw InputError(
+        fmt::format("weld {} mm for model '{}'; expected none with the name of a model", *weld, spec.model));
+}
+
+/// Millimetres in a unit of the mesh.
+double scale_of(const Source& source, const TriangleMesh& mesh, std::optional<double> size) {
+  if (!size) size = source.size;
+  return size && !mesh.vertices.empty() ? *size / bounding_box(mesh).extent().maxCoeff() : source.millimetres;
 }
 
 }  // namespace
@@ -121,7 +128,8 @@ Source load_source(const BodySpec& spec) {
             .axis = real->up,
             .up = real->up,
             .contact = {},
-            .size = DebianMesh::size};
+            .size = DebianMesh::size,
+            .mending = spec.mending};
   const std::filesystem::path path = file_of(spec.model);
   MeshReading reading = read_mesh_file(path);
   const double millimetres = spec.unit ? spec.unit->millimetres : 1.0;
@@ -131,7 +139,8 @@ Source load_source(const BodySpec& spec) {
           .contact = {},
           .size = {},
           .millimetres = millimetres,
-          .weld = spec.weld ? *spec.weld / millimetres : reading.weld,
+          .weld = spec.mending.weld ? *spec.mending.weld / millimetres : reading.weld,
+          .mending = spec.mending,
           .repairs = std::move(reading.notes)};
 }
 
@@ -142,7 +151,9 @@ Source load_solid(const BodySpec& spec) {
     return source;
   }
   Surface surface = surface_of(source);
-  return as_solid(std::move(source), surface, spec.model);
+  source = as_solid(std::move(source), surface, spec.model);
+  require_one_piece(source, spec.model, spec.size, spec.density);
+  return source;
 }
 
 Surface surface_of(Source& source) {
@@ -150,10 +161,28 @@ Surface surface_of(Source& source) {
 }
 
 Source as_solid(Source source, Surface& surface, const std::string& model) {
-  SolidMesh solid = make_solid(surface, model);
+  const double unit = scale_of(source, surface.mesh(), {});
+  SolidMesh solid = make_solid(surface, model, source.mending, unit);
   source.mesh = std::move(solid.mesh);
   source.repairs = std::move(solid.repairs.lines);
+  source.pieces = std::move(solid.pieces);
   return source;
+}
+
+void require_one_piece(const Source& solid, const std::string& model, std::optional<double> size,
+                       double density) {
+  if (solid.pieces.size() < 2 || !solid.mending.pieces.empty()) return;
+  const double unit = scale_of(solid, solid.mesh, size);
+  constexpr std::size_t most = 5;
+  std::string weights;
+  for (std::size_t i = 0; i < std::min(most, solid.pieces.size()); ++i)
+    weights += fmt::format("{}{} of {:.4g} g", i ? ", " : "", i + 1,
+                           density * 1e-3 * solid.pieces[i].volume * unit * unit * unit);
+  if (solid.pieces.size() > most) weights += ", ...";
+  throw InputError(
+      fmt::format("{}: {} pieces that do not touch, no rigid body: {}; expected one piece, or --pieces with "
+                  "`largest` or the numbers of those that are meant",
+                  model, solid.pieces.size(), weights));
 }
 
 }  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "body/body.hpp"
-#include "mesh/solid/surface.hpp"
+#include "mesh/solid/solid.hpp"
 
 namespace kreisel::core {
 
@@ -20,7 +20,9 @@ struct Source {
   std::optional<double> size;             ///< to be scaled to, mm
   double millimetres = 1;                 ///< one unit of the mesh
   double weld = 0;                        ///< corners this near at open edges are one, in units of the mesh
+  Mending mending = {};                   ///< what else is allowed
   std::vector<std::string> repairs = {};  ///< what was passed over and mended, one line each
+  std::vector<Piece> pieces = {};         ///< of the solid, largest first; in units of the mesh
 };
 
 /// The model of that name, made or fetched, or the mesh file, here or in models_folder(), neither checked nor
@@ -30,7 +32,7 @@ struct Source {
 [[nodiscard]] Source load_source(const BodySpec& spec);
 
 /// The same with a mesh that bounds a solid: a file's is mended where that is safe, then checked (solid.hpp).
-/// @throws InputError  as load_source(), or no solid
+/// @throws InputError  as load_source(), or no solid; or several that do not touch (require_one_piece())
 [[nodiscard]] Source load_solid(const BodySpec& spec);
 
 /// The mended surface of its mesh, which it takes, with what is said of the mesh so far.
@@ -38,6 +40,12 @@ struct Source {
 
 /// The source with the mended surface of its mesh. @throws InputError  that bounds no solid
 [[nodiscard]] Source as_solid(Source source, Surface& surface, const std::string& model);
+
+/// Nothing where it is one rigid piece, or where somebody said which pieces are meant.
+/// @param solid  as_solid()  @param size, density  mm and g/cm^3, to say what each weighs
+/// @throws InputError  it is several that do not touch
+void require_one_piece(const Source& solid, const std::string& model, std::optional<double> size,
+                       double density);
 
 /// make_body() with the mesh at hand. @param solid  with the mesh of a solid
 [[nodiscard]] Body make_body(const BodySpec& spec, Source solid, device::Device& device);

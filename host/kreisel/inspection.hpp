@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kreisel/export.hpp"
+#include "kreisel/mending.hpp"
 #include "kreisel/mesh.hpp"
 #include "kreisel/verdict.hpp"
 
@@ -38,6 +39,7 @@ struct SolidReport {
   double volume = 0, mass = 0;
   Vec3 principal;                 ///< moments of inertia about the centre of mass, g mm^2, ascending
   Eigen::Matrix3d axes;           ///< columns, in that order
+  std::vector<double> pieces;     ///< mass of each that touches no other, g, the heaviest first
   std::vector<RestReport> rests;  ///< the most probable first; `--up rest:N` takes the N-th
   std::map<std::string, Verdict> verdicts;  ///< what each problem says of it as it is
 };
@@ -55,11 +57,11 @@ struct Inspection {
 };
 
 /// Needs no device. @param mm_per_unit  of formats that do not say  @param density  g/cm^3
-/// @param weld_mm  as Body::read()
+/// @param mending  what is allowed to make it a solid
 /// @throws InputError  no readable file; that it bounds no solid is an answer (`error`)
 [[nodiscard]] KREISEL_API Inspection inspect(const std::filesystem::path& file, double mm_per_unit = 1,
-                                             double density = 1, std::optional<double> weld_mm = {});
+                                             double density = 1, const Mending& mending = {});
 /// The same of a mesh in memory, mm.
-[[nodiscard]] KREISEL_API Inspection inspect(Mesh mesh, double density = 1);
+[[nodiscard]] KREISEL_API Inspection inspect(Mesh mesh, double density = 1, const Mending& mending = {});
 
 }  // namespace kreisel

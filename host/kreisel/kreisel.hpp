@@ -4,6 +4,7 @@
 #include "kreisel/control.hpp"
 #include "kreisel/error.hpp"
 #include "kreisel/inspection.hpp"
+#include "kreisel/mending.hpp"
 #include "kreisel/mesh.hpp"
 #include "kreisel/nest.hpp"
 #include "kreisel/problem.hpp"

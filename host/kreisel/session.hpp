@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "kreisel/control.hpp"
+#include "kreisel/mending.hpp"
 #include "kreisel/mesh.hpp"
 #include "kreisel/question.hpp"
 #include "kreisel/verdict.hpp"
@@ -37,15 +38,14 @@ class KREISEL_API Body {
  public:
   /// Reads OFF, OBJ, PLY, STL or 3MF. @param mm_per_unit  of formats that do not say what their lengths are
   /// in
-  /// @param weld_mm  corners at open edges that are this near are one; none: as near as the file's numbers
-  /// are precise
-  /// @throws InputError  no readable file, or no solid: open, self-intersecting, inside out
+  /// @param mending  what is allowed to make it a solid
+  /// @throws InputError  no readable file, or no solid: open, inside out in part, several pieces
   [[nodiscard]] static Body read(const std::filesystem::path& file, double mm_per_unit = 1,
-                                 std::optional<double> weld_mm = {});
+                                 const Mending& mending = {});
   /// A model by its name in `bench list`. @throws InputError  no such model, says the nearest
   [[nodiscard]] static Body model(const std::string& name);
   /// @throws InputError  no solid
-  explicit Body(Mesh mesh);
+  explicit Body(Mesh mesh, const Mending& mending = {});
 
   /// As mended, mm.
   [[nodiscard]] const Mesh& mesh() const;

@@ -13,13 +13,14 @@ namespace kreisel {
 Body::Body(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
 core::Source core::read_source(const std::filesystem::path& file, double mm_per_unit,
-                               std::optional<double> weld_mm) {
+                               const Mending& mending) {
   if (!(mm_per_unit > 0) || !std::isfinite(mm_per_unit))
     throw InputError(fmt::format("{} mm a unit of {}; expected > 0", mm_per_unit, file.string()));
   if (mm_per_unit != 1 && mesh_format(file).has_unit)
     throw InputError(fmt::format("{} mm a unit of {}, which says itself what its lengths are in; expected 1",
                                  mm_per_unit, file.string()));
-  if (weld_mm && !(*weld_mm >= 0)) throw InputError(fmt::format("weld {} mm; expected >= 0", *weld_mm));
+  if (mending.weld && !(*mending.weld >= 0))
+    throw InputError(fmt::format("weld {} mm; expected >= 0", *mending.weld));
   MeshReading reading = read_mesh_file(file);
   for (Vec3& v : reading.mesh.vertices) v *= mm_per_unit;
   return {.name = file.stem().string(),
@@ -27,11 +28,12 @@ core::Source core::read_source(const std::filesystem::path& file, double mm_per_
           .mesh = std::move(reading.mesh),
           .contact = {},
           .size = {},
-          .weld = weld_mm.value_or(mm_per_unit * reading.weld),
+          .weld = mending.weld.value_or(mm_per_unit * reading.weld),
+          .mending = mending,
           .repairs = std::move(reading.notes)};
 }
 
-core::Source core::source_of(Mesh mesh) {
+core::Source core::source_of(Mesh mesh, const Mending& mending) {
   for (const Triangle& t : mesh.triangles)
     for (const std::uint32_t v : t)
       if (v >= mesh.vertices.size())
@@ -41,21 +43,28 @@ core::Source core::source_of(Mesh mesh) {
     if (!mesh.vertices[i].allFinite())
       throw InputError(fmt::format("vertex {} is not finite; expected three numbers", i));
   if (mesh.triangles.empty()) throw InputError("a mesh without triangles; expected a closed surface");
-  return {.name = "mesh", .format = "in memory", .mesh = std::move(mesh), .contact = {}, .size = {}};
+  return {.name = "mesh",
+          .format = "in memory",
+          .mesh = std::move(mesh),
+          .contact = {},
+          .size = {},
+          .mending = mending};
 }
 
 namespace {
 
 core::Source solid_of(core::Source source, const std::string& name) {
   core::Surface surface = core::surface_of(source);
-  return core::as_solid(std::move(source), surface, name);
+  source = core::as_solid(std::move(source), surface, name);
+  core::require_one_piece(source, name, {}, 1);
+  return source;
 }
 
 }  // namespace
 
-Body Body::read(const std::filesystem::path& file, double mm_per_unit, std::optional<double> weld_mm) {
+Body Body::read(const std::filesystem::path& file, double mm_per_unit, const Mending& mending) {
   return Body(std::make_shared<const State>(
-      State{solid_of(core::read_source(file, mm_per_unit, weld_mm), file.string())}));
+      State{solid_of(core::read_source(file, mm_per_unit, mending), file.string())}));
 }
 
 Body Body::model(const std::string& name) {
@@ -71,8 +80,10 @@ Body Body::model(const std::string& name) {
   return Body(std::make_shared<const State>(State{std::move(source)}));
 }
 
-Body::Body(Mesh mesh)
-    : state_(std::make_shared<const State>(State{solid_of(core::source_of(std::move(mesh)), "mesh")})) {}
+Body::Body(Mesh mesh, const Mending& mending)
+    : state_(
+          std::make_shared<const State>(State{solid_of(core::source_of(std::move(mesh), mending), "mesh")})) {
+}
 
 const Mesh& Body::mesh() const { return state_->mesh; }
 

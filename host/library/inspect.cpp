@@ -5,21 +5,21 @@
 namespace kreisel {
 
 Inspection inspect(const std::filesystem::path& file, double mm_per_unit, double density,
-                   std::optional<double> weld_mm) {
+                   const Mending& mending) {
   return translated([&] {
     core::BodySpec spec;
     spec.model = file.string();
     spec.density = density;
-    return core::inspect(core::read_source(file, mm_per_unit, weld_mm), spec);
+    return core::inspect(core::read_source(file, mm_per_unit, mending), spec);
   });
 }
 
-Inspection inspect(Mesh mesh, double density) {
+Inspection inspect(Mesh mesh, double density, const Mending& mending) {
   return translated([&] {
     core::BodySpec spec;
     spec.model = "mesh";
     spec.density = density;
-    return core::inspect(core::source_of(std::move(mesh)), spec);
+    return core::inspect(core::source_of(std::move(mesh), mending), spec);
   });
 }
 

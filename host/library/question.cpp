@@ -178,8 +178,9 @@ void apply(const Member& member, RunConfig& config, S text) {
 
 /// Of a solve, but not of a question: how the body and the device come about, of which a session has its own;
 /// and what a run is besides its result.
-constexpr auto of_others = std::to_array<S>({"model", "unit", "weld", "fineness", "device", "precision",
-                                             "part", "repeat", "budget", "memory", "seconds"});
+constexpr auto of_others =
+    std::to_array<S>({"model", "unit", "weld", "close-holes", "inside-out", "pieces", "fineness", "device",
+                      "precision", "part", "repeat", "budget", "memory", "seconds"});
 
 std::string keyword_of(std::string name) {
   std::ranges::replace(name, '-', '_');

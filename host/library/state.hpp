@@ -36,9 +36,9 @@ namespace core {
 
 /// A file's mesh as it is, in mm. @throws InputError  as Body::read(), but for what it bounds
 [[nodiscard]] Source read_source(const std::filesystem::path& file, double mm_per_unit,
-                                 std::optional<double> weld_mm);
+                                 const Mending& mending);
 /// @throws InputError  triangles of vertices that are not there, or not finite; none
-[[nodiscard]] Source source_of(Mesh mesh);
+[[nodiscard]] Source source_of(Mesh mesh, const Mending& mending);
 
 }  // namespace core
 

@@ -10,6 +10,7 @@
 #include "parse.hpp"
 #include "problem/problem.hpp"
 #include "session/config.hpp"
+#include "session/mending_fields.hpp"
 #include "settings/field_text.hpp"
 #include "solve/solver.hpp"
 
@@ -144,17 +145,16 @@ Fields<Asked> body_fields() {
                           {"unit", "", "of an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm",
                            [](A a, S, S v) { a.body.unit = find_length_unit(v); },
                            [](ConstA a) { return a.body.unit ? std::string(a.body.unit->name) : ""; }}),
-       {"weld", "mm", "corners at open edges of a file this near are one; default as its digits say",
-        [](A a, S k, S v) {
-          a.body.weld = number(k, v);
-          if (*a.body.weld < 0) refuse(k, v, "0 mm or more");
-        },
-        [](ConstA a) { return number_text(a.body.weld); }},
        {"size", "mm", "longest side; default as the model is",
         [](A a, S k, S v) { a.body.size = number(k, v); }, [](ConstA a) { return number_text(a.body.size); }},
        {"fineness", "", "of a parametric model: about 20 n^2 triangles",
         [](A a, S k, S v) { a.body.fineness = whole(k, v, 1); },
         [](ConstA a) { return std::to_string(a.body.fineness); }}});
+}
+
+Fields<Asked> mending_of_body() {
+  return fields_of_part<Asked>(
+      mending_fields(), [](auto& asked) -> auto& { return asked.body.mending; });
 }
 
 /// How it lies, and what it is of.
@@ -299,13 +299,20 @@ Fields<RunConfig> effort_fields() {
           if (c.budget_seconds < 0) refuse(k, v, "seconds >= 0");
         },
         [](ConstC c) { return number_text(c.budget_seconds); }, Identity::none},
-       {"certify", "",
-        "a relative gap: prove that the result is at most so far from the best; default no proof",
+       {"certify",
+        "",
+        "a relative gap: prove that the result is at most so far from the best; no value: 1e-3",
         [](C c, S k, S v) {
           c.certify = number(k, v);
           if (!(c.certify > 0 && c.certify < 1)) refuse(k, v, "a gap between 0 and 1, such as 1e-3");
         },
-        [](ConstC c) { return number_text(c.certify); }},
+        [](ConstC c) { return number_text(c.certify); },
+        Identity::changed,
+        1,
+        false,
+        "",
+        {},
+        "1e-3"},
        {"memory", "GB",
         "of an experiment's run, as a process of its own: at most so much; default as there is",
         [](C c, S k, S v) {
@@ -325,8 +332,9 @@ Fields<RunConfig> effort_fields() {
 
 const Fields<Asked>& asked_fields() {
   static const Fields<Asked> all = [] {
-    Fields<Asked> fields = joined<Asked>(body_fields(), pose_fields(), shape_fields(), question_fields(),
-                                         domain_fields(), device_fields(), setting_fields());
+    Fields<Asked> fields =
+        joined<Asked>(body_fields(), mending_of_body(), pose_fields(), shape_fields(), question_fields(),
+                      domain_fields(), device_fields(), setting_fields());
     const auto choose = [&](S name, Choices choices) {
       std::ranges::find(fields, name, &Field<Asked>::name)->choices = std::move(choices);
     };

@@ -72,7 +72,7 @@ std::shared_ptr<const Body> Session::body_of(const Asked& question, const BodySp
                                              const std::shared_ptr<device::Device>& device) {
   const BodySpec& given = question.body;
   const std::shared_ptr<const Source> source =
-      given_ ? given_ : stage("mesh", source_, {given.model, given.fineness, given.unit, given.weld}, [&] {
+      given_ ? given_ : stage("mesh", source_, {given.model, given.fineness, given.unit, given.mending}, [&] {
         return std::make_shared<const Source>(load_solid(given));
       });
   std::optional<BodySpec> shaped;

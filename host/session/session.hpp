@@ -86,7 +86,7 @@ class Session {
     std::string model;
     int fineness = 0;
     std::optional<LengthUnit> unit;
-    std::optional<double> weld;
+    Mending mending;
     bool operator==(const SourceKey&) const = default;
   };
   struct BodyKey {

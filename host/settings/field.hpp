@@ -40,6 +40,7 @@ struct Field {
   bool shapes = false;          ///< its words name shapes: models, or mesh files that are read
   std::string_view group = "";  ///< under which help lists it
   Choices choices = {};         ///< empty: any value that set() takes
+  std::string_view alone = "";  ///< the value where its option has none; empty: there must be one
 };
 
 template <class T>
@@ -81,8 +82,8 @@ template <class T, class... Parts>
   Fields<T> all;
   const auto add = [&](const auto& fields) {
     for (const auto& f : fields)
-      all.push_back(
-          {f.name, f.unit, f.help, f.set, f.text, f.identity, f.words, f.shapes, f.group, f.choices});
+      all.push_back({f.name, f.unit, f.help, f.set, f.text, f.identity, f.words, f.shapes, f.group, f.choices,
+                     f.alone});
   };
   (add(parts), ...);
   return all;
@@ -98,7 +99,7 @@ template <class Whole, class Part, class Get>
                      set(get(whole), name, value);
                    },
                    [get, text = f.text](const Whole& whole) { return text(get(whole)); }, f.identity, f.words,
-                   f.shapes, f.group, f.choices});
+                   f.shapes, f.group, f.choices, f.alone});
   return all;
 }
 

@@ -78,14 +78,62 @@ TEST_F(Inspect, ReportsRepairsAndCavities) {
   says("repaired   merged 56 equal vertices");
 }
 
-TEST_F(Inspect, SaysAllItCanOfASurfaceThatRunsThroughItself) {
-  const json j = inspect(both(box_mesh({0, 0, 0}, {3, 3, 3}), box_mesh({1, 1, 2}, {2, 2, 4})), "", 2);
-  EXPECT_TRUE(j.at("solid").is_null());
-  EXPECT_NE(j.at("error").get<std::string>().find("runs through itself"), std::string::npos);
+TEST_F(Inspect, UnitesWhatOverlapsAndSaysSo) {
+  const json j =
+      inspect(both(box_mesh({0, 0, 0}, {3, 3, 3}), box_mesh({1, 1, 2}, {2, 2, 4})), "--size 40", 0);
+  EXPECT_NEAR(j.at("solid").at("volume_mm3").get<double>(), 28e3, 1e-9 * 28e3);
   EXPECT_GT(j.at("checks").at("self_intersections"), 0);
   EXPECT_EQ(j.at("shells").size(), 2u);
-  says("bench: ");
-  says("runs through itself");
+  ASSERT_EQ(j.at("solid").at("pieces_g").size(), 1u);
+  EXPECT_NEAR(j.at("solid").at("pieces_g").at(0).get<double>(), 28, 1e-9);
+  says("united what overlaps: ");
+}
+
+TEST_F(Inspect, AsksWhatIsEnclosedInsideOut) {
+  const TriangleMesh mesh = both(box_mesh({0, 0, 0}, {3, 3, 3}), inverted(box_mesh({1, 1, 2}, {2, 2, 5})));
+  json j = inspect(mesh, "", 2);
+  EXPECT_TRUE(j.at("solid").is_null());
+  EXPECT_NE(j.at("error").get<std::string>().find("2 mm^3 are enclosed inside out"), std::string::npos);
+  j = inspect(mesh, "--inside-out void", 0);
+  EXPECT_NEAR(j.at("solid").at("volume_mm3").get<double>(), 26, 1e-9);
+  j = inspect(mesh, "--inside-out solid", 0);
+  EXPECT_NEAR(j.at("solid").at("volume_mm3").get<double>(), 28, 1e-9);
+  (void)inspect(mesh, "--inside-out full", 2);
+  says("expected solid or void");
+}
+
+TEST_F(Inspect, ClosesHolesWhenItIsAsked) {
+  TriangleMesh open = box_mesh({0, 0, 0}, {2, 2, 2});
+  open.triangles.pop_back();
+  (void)inspect(open, "--close-holes 2.8", 2);
+  says("open edges: 3");
+  for (const char* asked : {"--close-holes 2.9", "--close-holes all", "--close-holes"}) {
+    const json j = inspect(open, asked, 0);
+    EXPECT_NEAR(j.at("solid").at("volume_mm3").get<double>(), 8, 1e-9);
+    says("closed 1 hole");
+  }
+  (void)inspect(open, "--close-holes 0", 2);
+  says("more than 0 mm");
+}
+
+TEST_F(Inspect, WeighsPiecesOfWhichASolveTakesOne) {
+  const TriangleMesh mesh = both(box_mesh({0, 0, 0}, {10, 10, 10}), box_mesh({20, 0, 0}, {26, 10, 10}));
+  json j = inspect(mesh, "", 0);
+  EXPECT_EQ(j.at("solid").at("pieces_g").size(), 2u);
+  EXPECT_NEAR(j.at("solid").at("pieces_g").at(1).get<double>(), 0.6, 1e-9);
+  says("pieces     2 that do not touch: 1, 0.6 g");
+  j = inspect(mesh, "--pieces 2", 0);
+  EXPECT_NEAR(j.at("solid").at("volume_mm3").get<double>(), 600, 1e-9);
+  (void)inspect(mesh, "--pieces 3", 2);
+  says("expected 1 to 2");
+  const std::string file = (folder_ / "pieces.off").string();
+  write_mesh(file, {mesh});
+  BenchAnswer a = bench(fmt::format("--problem stand --model '{}' --resolution 16", file));
+  EXPECT_EQ(a.code, 2) << a.out;
+  EXPECT_NE(a.out.find("2 pieces that do not touch, no rigid body: 1 of 1 g, 2 of 0.6 g"), std::string::npos)
+      << a.out;
+  a = bench(fmt::format("--problem stand --model '{}' --resolution 16 --pieces largest", file));
+  EXPECT_EQ(a.code, 0) << a.out;
 }
 
 TEST_F(Inspect, SaysAllItCanOfAnOpenSurface) {

@@ -154,15 +154,14 @@ TEST_F(BodyOfABox, MendsTheMeshOfAFileAndSaysSo) {
   EXPECT_NEAR(body.solid[S1], 1, tolerance());
 }
 
-TEST_F(BodyOfABox, RefusesAMeshThatRunsThroughItself) {
+TEST_F(BodyOfABox, UnitesAMeshThatRunsThroughItself) {
   std::ofstream(file_) << "OFF\n8 8 0\n0 0 0\n6 0 0\n0 6 0\n0 0 6\n1 1 -1\n7 1 -1\n1 7 -1\n1 1 5\n"
                           "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 4 6 5\n3 4 5 7\n3 5 6 7\n3 6 4 7\n";
-  try {
-    (void)make_body(spec(), test_device());
-    FAIL() << "accepted";
-  } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("runs through itself"), std::string::npos) << e.what();
-  }
+  // Two corners of a cube of 36 mm^3 each, which share one of edge 4.
+  const Body body = make_body(spec(), test_device());
+  EXPECT_NEAR(std::pow(body.frame.length, 3), 72 - 64 / 6.0, 1e-9);
+  ASSERT_EQ(body.repairs.size(), 1u);
+  EXPECT_EQ(body.repairs[0].find("united what overlaps: 10.67 mm^3"), 0u) << body.repairs[0];
 }
 
 TEST(Body, OfEveryModelHasUnitMass) {

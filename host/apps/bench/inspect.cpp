@@ -1,7 +1,9 @@
 #include "session/inspect.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -59,6 +61,13 @@ void print_solid(const SolidReport& s, double density) {
   fmt::print("as a solid of {:.4g} g/cm^3\n", density);
   fmt::print("  extent     {} mm\n", text(s.extent, " x "));
   fmt::print("  volume     {:.6g} mm^3, mass {:.6g} g\n", s.volume, s.mass);
+  if (s.pieces.size() > 1) {
+    constexpr std::size_t most = 8;
+    const std::vector<double> first(s.pieces.begin(),
+                                    s.pieces.begin() + std::ptrdiff_t(std::min(most, s.pieces.size())));
+    fmt::print("  pieces     {} that do not touch: {:.6g}{} g; what follows takes them as one rigid body\n",
+               s.pieces.size(), fmt::join(first, ", "), s.pieces.size() > most ? ", ..." : "");
+  }
   fmt::print("  centre     {} mm\n", place_text(s.centre));
   for (int k = 0; k < 3; ++k)
     fmt::print("  principal  {:.6g} g mm^2 about {}\n", s.principal[k], text(s.axes.col(k)));
@@ -90,6 +99,7 @@ json to_json(const SolidReport& s) {
   j["extent_mm"] = array(s.extent);
   j["volume_mm3"] = s.volume;
   j["mass_g"] = s.mass;
+  j["pieces_g"] = s.pieces;
   j["centre_of_mass_mm"] = array(s.centre);
   j["principal_moments_g_mm2"] = array(s.principal);
   for (int k = 0; k < 3; ++k) j["principal_axes"].push_back(array(s.axes.col(k)));

@@ -48,16 +48,8 @@ void add_file(CLI::App& app, const char* name, std::string& file, const char* he
 void add_run_options(CLI::App& app, Parsed& parsed) {
   const RunKind& solve = find_run_kind("solve");
   // A process of its own is what experiments make of a run with limits.
-  parsed.run.add_but(app, {&solve}, {"certify", "memory", "seconds"});
+  parsed.run.add_but(app, {&solve}, {"memory", "seconds"});
   parsed.run.add_settings(app, solve);
-  app.add_option_function<std::string>(
-         "--certify",
-         [&parsed](const std::string& text) {
-           parsed.run.say("certify", text == "true" || text.empty() ? "1e-3" : text);
-         },
-         "prove how far from the best the result can be, until this relative gap; alone: 1e-3")
-      ->expected(0, 1)
-      ->type_name("GAP");
   add_file(app, "--json", parsed.once.json_file, "write the result as JSON; - for standard output");
   add_file(app, "--mesh", parsed.once.mesh_file,
            "write the hollowed part, mm; .stl, .3mf, .obj, .ply or .off");
@@ -67,7 +59,8 @@ void add_run_options(CLI::App& app, Parsed& parsed) {
 void add_inspect_options(CLI::App& app, Parsed& parsed) {
   parsed.run.add_model(app);
   parsed.run.add_some(app, {&find_run_kind("solve")},
-                      {"axis", "contact", "up", "unit", "weld", "size", "density", "fineness"});
+                      {"axis", "contact", "up", "unit", "weld", "close-holes", "inside-out", "pieces", "size",
+                       "density", "fineness"});
   add_file(app, "--json", parsed.once.json_file, "write it all as JSON; - for standard output");
 }
 
@@ -144,8 +137,8 @@ Command add_simulate(CLI::App& app, Parsed& parsed) {
     parsed.run.say(field, text);
   });
   parsed.run.add_some(*simulated, {&find_run_kind("simulation")},
-                      {"axis", "up", "unit", "weld", "size", "density", "void-density", "fineness", "device",
-                       "problem.fluid_density"});
+                      {"axis", "up", "unit", "weld", "close-holes", "inside-out", "pieces", "size", "density",
+                       "void-density", "fineness", "device", "problem.fluid_density"});
   parsed.run.add_settings(*simulated, find_run_kind("simulation"));
   return {simulated, [&parsed] {
             parsed.run.apply(parsed.once.config);

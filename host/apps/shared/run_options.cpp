@@ -56,7 +56,12 @@ void RunOptions::add(CLI::App& app, const Field<Run>& field) {
   CLI::Option* added = nullptr;
   if (field.words == 1) {
     added = app.add_option_function<std::string>(
-        option, [this, name](const std::string& text) { say(name, text); }, help);
+        option,
+        [this, name, alone = std::string(field.alone)](const std::string& text) {
+          say(name, text.empty() || text == "true" ? alone : text);  // as CLI11 calls no value
+        },
+        help);
+    if (!field.alone.empty()) added->expected(0, 1);
   } else {
     added = app.add_option_function<std::vector<std::string>>(
         option, [this, name](const std::vector<std::string>& words) { say(name, joined_words(words)); },

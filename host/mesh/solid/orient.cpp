@@ -1,8 +1,10 @@
 #include "mesh/solid/orient.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "mesh/query/sides.hpp"
+#include "mesh/solid/self_intersections.hpp"
 #include "stop.hpp"
 
 namespace kreisel::core {
@@ -28,6 +30,23 @@ std::vector<Neighbour> neighbours(const TriangleMesh& mesh) {
 }
 
 void turn(Triangle& t) { std::swap(t[1], t[2]); }
+
+/// An inside-out shell that runs through one that is not may be meant: what it takes away is for the user to
+/// say.
+void leave_those_that_meet_others(const TriangleMesh& mesh, const std::vector<Shell>& all,
+                                  const std::vector<std::vector<std::uint32_t>>& enclosing,
+                                  std::vector<bool>& turns) {
+  if (std::ranges::all_of(turns, [](bool t) { return t; })) return;
+  std::vector<std::uint32_t> shell_of(mesh.triangles.size());
+  for (std::uint32_t i = 0; i < all.size(); ++i)
+    for (const std::uint32_t t : all[i].triangles) shell_of[t] = i;
+  DisjointSets together(all.size());
+  for (const auto& [s, t] : self_intersections(mesh)) together.join(shell_of[s], shell_of[t]);
+  std::vector<bool> stays(all.size(), false);
+  for (std::uint32_t i = 0; i < all.size(); ++i)
+    if (enclosing[i].empty() && !turns[i]) stays[together.find(i)] = true;
+  for (std::uint32_t i = 0; i < all.size(); ++i) turns[i] = turns[i] && !stays[together.find(i)];
+}
 
 }  // namespace
 
@@ -70,7 +89,11 @@ std::size_t orient_shells(TriangleMesh& mesh) {
 
 std::size_t face_outward(TriangleMesh& mesh, const std::vector<Shell>& all) {
   const auto enclosing = enclosing_shells(mesh, all);
-  const auto inside_out = [&](std::uint32_t i) { return enclosing[i].empty() && all[i].volume < 0; };
+  std::vector<bool> turns(all.size());
+  for (std::uint32_t i = 0; i < all.size(); ++i) turns[i] = enclosing[i].empty() && all[i].volume < 0;
+  if (std::ranges::find(turns, true) == turns.end()) return 0;
+  leave_those_that_meet_others(mesh, all, enclosing, turns);
+  const auto inside_out = [&](std::uint32_t i) { return enclosing[i].empty() && turns[i]; };
   std::size_t turned = 0;
   for (std::uint32_t i = 0; i < all.size(); ++i) {
     bool flip = inside_out(i);

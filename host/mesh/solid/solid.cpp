@@ -4,11 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "error.hpp"
 #include "geometry/single_precision.hpp"
 #include "geometry/triangle.hpp"
 #include "mesh/solid/check.hpp"
+#include "mesh/solid/close_holes.hpp"
+#include "mesh/solid/unite.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -76,6 +80,83 @@ std::string far_away(const TriangleMesh& mesh) {
       spacing, fmt::join(move, ","));
 }
 
+/// Whether all shells, which are closed, face outward and inward in turn.
+bool alternates(Surface& surface) {
+  for (std::size_t i = 0; i < surface.shells().size(); ++i)
+    if ((surface.enclosing()[i].size() % 2 == 1) != (surface.shells()[i].volume < 0)) return false;
+  return true;
+}
+
+/// Closed, but not such that each place is enclosed once or not at all.
+bool encloses_twice(Surface& surface) {
+  const MeshReport& report = surface.report();
+  if (surface.mesh().triangles.empty() || report.open.count || report.repeated_count ||
+      report.misoriented.count)
+    return false;
+  return report.crowded.count || !surface.crossings().empty() || !alternates(surface);
+}
+
+void patch_holes(Surface& surface, const Mending& mending, double millimetres) {
+  TriangleMesh mesh = surface.mesh();
+  const ClosedHoles closed = close_holes(mesh, *mending.close_holes / millimetres);
+  if (!closed.count) return;
+  RepairReport report = surface.repairs();
+  report.lines.push_back(
+      fmt::format("closed {} {}, up to {:.4g} mm across, by {:.4g} mm^2 of patches; {:.4g} mm^3 lie between "
+                  "them and a fan "
+                  "about the middle of each rim",
+                  closed.count, closed.count == 1 ? "hole" : "holes", closed.widest * millimetres,
+                  closed.area * millimetres * millimetres, closed.between * std::pow(millimetres, 3)));
+  surface = Surface(std::move(mesh), 0, std::move(report));
+}
+
+/// Replaces a surface by the boundary of what it encloses, where it has one.
+void unite_overlaps(Surface& surface, std::string_view name, InsideOut inside_out, double millimetres) {
+  constexpr double negligible = 1e-6;  // of the solid: where scans fold over by less than a print shows
+  auto united = unite(surface.mesh(), inside_out);
+  if (!united || united->mesh.triangles.empty()) return;
+  const auto mm3 = [&](double volume) {
+    return fmt::format("{:.4g} mm^3", volume * std::pow(millimetres, 3));
+  };
+  Surface whole = Surface::as_it_is(std::move(united->mesh));
+  if (inside_out == InsideOut::refused && united->inside_out > negligible * whole.report().volume)
+    throw InputError(fmt::format(
+        "{}: {} are enclosed inside out, at ({:.6g}); expected a surface that faces outward, or --inside-out "
+        "solid or void to say what they are",
+        name, mm3(united->inside_out), fmt::join(united->inside_out_at, ", ")));
+  RepairReport report = surface.repairs();
+  if (united->turned) report.lines.push_back("turned the surface, which was inside out");
+  report.lines.push_back(
+      fmt::format("united what overlaps: {} are enclosed more than once; of {} triangles {} "
+                  "are as they were",
+                  mm3(united->overlap), surface.mesh().triangles.size(), united->kept));
+  if (united->inside_out > 0)
+    report.lines.push_back(fmt::format("took {} that are enclosed inside out as {}", mm3(united->inside_out),
+                                       inside_out == InsideOut::solid ? "solid" : "void"));
+  surface = Surface::as_it_is(whole.take_mesh(), std::move(report));
+}
+
+/// Of several pieces those that are meant.
+void take_pieces(Surface& surface, std::string_view name, const std::vector<int>& numbers, double millimetres,
+                 SolidMesh& solid) {
+  std::vector<Piece> chosen;
+  for (const int number : numbers) {
+    if (number < 1 || std::size_t(number) > solid.pieces.size())
+      throw InputError(fmt::format("{}: piece {}; expected 1 to {}, counted from the heaviest", name, number,
+                                   solid.pieces.size()));
+    chosen.push_back(solid.pieces[std::size_t(number) - 1]);
+  }
+  double left = -std::accumulate(chosen.begin(), chosen.end(), 0.0,
+                                 [](double sum, const Piece& p) { return sum + p.volume; });
+  for (const Piece& piece : solid.pieces) left += piece.volume;
+  if (chosen.size() < solid.pieces.size())
+    solid.repairs.lines.push_back(fmt::format("left out {} of {} pieces, {:.4g} mm^3",
+                                              solid.pieces.size() - chosen.size(), solid.pieces.size(),
+                                              left * std::pow(millimetres, 3)));
+  solid.mesh = mesh_of(surface, chosen);
+  solid.pieces = std::move(chosen);
+}
+
 /// All checks. @return  the number of cavities
 std::size_t require_sound(Surface& surface, std::string_view name) try {
   if (!surface.mesh().triangles.empty()) require_orientable(surface, name);
@@ -95,9 +176,16 @@ void require_sound(const TriangleMesh& mesh, std::string_view name) {
   (void)require_sound(surface, name);
 }
 
-SolidMesh make_solid(Surface& surface, std::string_view name) {
+SolidMesh make_solid(Surface& surface, std::string_view name, const Mending& mending, double millimetres) {
+  if (mending.close_holes && surface.report().open.count) patch_holes(surface, mending, millimetres);
+  if (encloses_twice(surface)) unite_overlaps(surface, name, mending.inside_out, millimetres);
   const std::size_t n = require_sound(surface, name);
-  SolidMesh solid{surface.take_mesh(), surface.repairs()};
+  SolidMesh solid{{}, surface.repairs(), pieces_of(surface)};
+  if (mending.pieces.empty()) {
+    solid.mesh = surface.take_mesh();
+  } else {
+    take_pieces(surface, name, mending.pieces, millimetres, solid);
+  }
   if (n > 0)
     solid.repairs.lines.push_back(
         n == 1 ? "kept 1 cavity, a shell inside the solid that faces inward"
@@ -105,9 +193,9 @@ SolidMesh make_solid(Surface& surface, std::string_view name) {
   return solid;
 }
 
-SolidMesh make_solid(TriangleMesh mesh, std::string_view name) {
+SolidMesh make_solid(TriangleMesh mesh, std::string_view name, const Mending& mending) {
   Surface surface(std::move(mesh));
-  return make_solid(surface, name);
+  return make_solid(surface, name, mending);
 }
 
 }  // namespace kreisel::core

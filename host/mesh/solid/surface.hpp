@@ -20,8 +20,9 @@ class Surface {
   explicit Surface(TriangleMesh mesh, double weld = 0, RepairReport so_far = {});
 
   /// Mends nothing.
-  [[nodiscard]] static Surface as_it_is(TriangleMesh mesh) {
+  [[nodiscard]] static Surface as_it_is(TriangleMesh mesh, RepairReport so_far = {}) {
     Surface surface;
+    surface.repairs_ = std::move(so_far);
     surface.mesh_ = std::move(mesh);
     return surface;
   }

@@ -35,20 +35,53 @@ TEST(MakeSolid, KeepsCavitiesAndIslandsWithinThem) {
             (std::vector<std::string>{"kept 1 cavity, a shell inside the solid that faces inward"}));
 }
 
-TEST(MakeSolid, RefusesASolidWithinASolid) {
-  refuses(both(cube, box_mesh({1, 1, 1}, {2, 2, 2})),
-          {"12 triangles", "inside another", "faces outward", "counts its material twice"});
+TEST(MakeSolid, CountsASolidWithinASolidOnce) {
+  const SolidMesh solid = make_solid(both(cube, box_mesh({1, 1, 1}, {2, 2, 2})), "nested");
+  EXPECT_DOUBLE_EQ(inspect(solid.mesh).volume, 27);
+  EXPECT_EQ(solid.repairs.lines,
+            (std::vector<std::string>{"united what overlaps: 1 mm^3 are enclosed more than "
+                                      "once; of 24 triangles 12 are as they were"}));
 }
 
 TEST(MakeSolid, RefusesAnInwardShellWithinACavity) {
   TriangleMesh mesh = both(cube, inverted(box_mesh({1, 1, 1}, {2, 2, 2})));
   refuses(both(mesh, inverted(box_mesh({1.25, 1.25, 1.25}, {1.75, 1.75, 1.75}))),
-          {"inside 2 others", "faces inward"});
+          {"0.125 mm^3 are enclosed inside out", "--inside-out"});
 }
 
-TEST(MakeSolid, RefusesSurfacesThatRunThroughThemselves) {
-  TriangleMesh mesh = both(cube, box_mesh({1, 1, 2}, {2, 2, 4}));
-  refuses(mesh, {"runs through itself", "pairs of triangles", "the first 3 at", "self-intersections"});
+TEST(MakeSolid, UnitesASurfaceThatRunsThroughItselfInTheUnitOfTheFile) {
+  Surface surface(both(cube, box_mesh({1, 1, 2}, {2, 2, 4})));
+  const SolidMesh solid = make_solid(surface, "part", {}, 10);
+  EXPECT_NEAR(inspect(solid.mesh).volume, 28, 1e-12);
+  ASSERT_EQ(solid.repairs.lines.size(), 1u);
+  EXPECT_EQ(solid.repairs.lines[0].find("united what overlaps: 1000 mm^3"), 0u) << solid.repairs.lines[0];
+  // What we wrote ourselves is to be sound as it is.
+  expect_refusal(
+      [] {
+        require_sound(both(cube, box_mesh({1, 1, 2}, {2, 2, 4})), "part.stl");
+      },
+      "part.stl: ", {"runs through itself", "pairs of triangles", "the first 3 at", "self-intersections"});
+}
+
+TEST(MakeSolid, TellsPiecesApart) {
+  const TriangleMesh apart =
+      both(both(box_mesh({5, 0, 0}, {6, 1, 1}), cube), inverted(box_mesh({1, 1, 1}, {2, 2, 2})));
+  SolidMesh solid = make_solid(apart, "pieces");
+  ASSERT_EQ(solid.pieces.size(), 2u);
+  EXPECT_NEAR(solid.pieces[0].volume, 26, 1e-12);
+  EXPECT_NEAR(solid.pieces[1].volume, 1, 1e-12);
+  EXPECT_EQ(solid.mesh.triangles.size(), 36u);
+  solid = make_solid(apart, "pieces", {.pieces = {1}});
+  EXPECT_NEAR(inspect(solid.mesh).volume, 26, 1e-12);
+  EXPECT_EQ(solid.mesh.vertices.size(), 16u);
+  EXPECT_EQ(solid.repairs.lines[0], "left out 1 of 2 pieces, 1 mm^3");
+  expect_refusal([&] { (void)make_solid(apart, "pieces", {.pieces = {3}}); }, "pieces: piece 3", {"1 to 2"});
+  // An island in a cavity is loose, what touches in an edge or a corner is not.
+  const TriangleMesh island = both(both(cube, inverted(box_mesh({1, 1, 1}, {2, 2, 2}))),
+                                   box_mesh({1.25, 1.25, 1.25}, {1.75, 1.75, 1.75}));
+  EXPECT_EQ(make_solid(island, "island").pieces.size(), 2u);
+  EXPECT_EQ(make_solid(both(cube, box_mesh({3, 3, 0}, {4, 4, 3})), "edge").pieces.size(), 1u);
+  EXPECT_EQ(make_solid(both(cube, box_mesh({3, 3, 3}, {4, 4, 4})), "corner").pieces.size(), 1u);
 }
 
 TEST(MakeSolid, RefusesOpenCrowdedFlatAndOneSidedSurfaces) {
