@@ -52,8 +52,14 @@ void require_unit_wanted(const BodySpec& spec) {
   if (mesh_format(spec.model).has_unit) refuse("none with a file that says what its lengths are in");
 }
 
-/// Only what is read from the user's file may have corners that differ by round-off.
-void require_weld_wanted(const BodySpec& spec) {
+/// Only what is read from the user's file may have corners that differ by round-off; and what we make
+/// ourselves needs no mending.
+void require_mending_wanted(const BodySpec& spec) {
+  if (find_model(spec.model) && spec.mending != Mending{.weld = spec.mending.weld})
+    throw InputError(
+        fmt::format("model '{}' is whole and of one piece; expected neither close-holes, inside-out nor "
+                    "pieces with it",
+                    spec.model));
   const std::optional<double>& weld = spec.mending.weld;
   if (!weld) return;
   if (!(*weld >= 0)) throw InputError(fmt::format("weld {} mm; expected >= 0", *weld));
@@ -90,7 +96,7 @@ bool is_absent_file(const std::string& model) {
 void require_known_source(const BodySpec& spec) {
   if (!is_known(spec.model) && is_name(spec.model)) unknown(spec.model);
   require_unit_wanted(spec);
-  require_weld_wanted(spec);
+  require_mending_wanted(spec);
 }
 
 void require_unit_said(const BodySpec& spec, double longest) {

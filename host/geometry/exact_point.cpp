@@ -48,9 +48,16 @@ int exponent_of(std::initializer_list<Vec3> points) {
   return exponent;
 }
 
+/// x times 2^exponent, however large.
+mpz_class whole(double x, int exponent) {
+  constexpr int digits = std::numeric_limits<double>::digits;
+  int own = 0;
+  const mpz_class digits_of_x(std::ldexp(std::frexp(x, &own), digits));
+  return digits_of_x << (own - digits + exponent);
+}
+
 Whole whole(const Vec3& p, int exponent) {
-  return {mpz_class(std::ldexp(p[0], exponent)), mpz_class(std::ldexp(p[1], exponent)),
-          mpz_class(std::ldexp(p[2], exponent))};
+  return {whole(p[0], exponent), whole(p[1], exponent), whole(p[2], exponent)};
 }
 
 /// (a - p) times the point's denominator and 2^exponent. @param a  times 2^exponent
@@ -86,11 +93,13 @@ double nearest(Number first, const mpq_class& exact) {
   constexpr Number infinity = std::numeric_limits<Number>::infinity();
   double best = double(first);
   mpq_class distance = abs(mpq_class(best) - exact);
-  for (const Number other : {std::nextafter(first, -infinity), std::nextafter(first, infinity)})
-    if (const mpq_class d = abs(mpq_class(double(other)) - exact); d < distance) {
-      best = double(other);
-      distance = d;
-    }
+  for (const Number other : {std::nextafter(first, -infinity), std::nextafter(first, infinity)}) {
+    if (!std::isfinite(other)) continue;
+    const mpq_class d = abs(mpq_class(double(other)) - exact);
+    if (d >= distance) continue;
+    best = double(other);
+    distance = d;
+  }
   return best;
 }
 

@@ -52,7 +52,10 @@ ParallelRays::ParallelRays(const TriangleMesh& mesh, const Vec3& direction)
 Eigen::Vector2d ParallelRays::across(const Vec3& p) const { return {u_.dot(p), v_.dot(p)}; }
 
 ParallelRays::Cell ParallelRays::cell_of(const Eigen::Vector2d& p) const {
-  const auto at = [&](int i) { return std::clamp(int((p[i] - lo_[i]) / step_[i]), 0, side_ - 1); };
+  const auto at = [&](int i) {
+    const double x = (p[i] - lo_[i]) / step_[i];
+    return x > 0 ? int(std::min(x, side_ - 1.0)) : 0;
+  };
   return {at(0), at(1)};
 }
 

@@ -17,6 +17,10 @@ namespace {
 
 constexpr int most_rounds = 4;
 
+/// More pairs of triangles than this are no surface that somebody made: each triangle would fall into
+/// hundreds.
+std::size_t tangled(const TriangleMesh& mesh) { return 1000 + 20 * mesh.triangles.size(); }
+
 bool is_solid(int winding, InsideOut inside_out) {
   return winding >= 1 || (winding <= -1 && inside_out == InsideOut::solid);
 }
@@ -161,6 +165,7 @@ std::optional<United> unite(const TriangleMesh& mesh, InsideOut inside_out) {
   for (int round = 0; round < most_rounds; ++round) {
     const auto crossings = self_intersections(now);
     if (round > 0 && crossings.empty()) break;
+    if (crossings.size() > tangled(now)) return {};
     const Arrangement all = arrange(now, crossings);
     if (all.faces.empty() || !closes(all)) return {};
     std::vector<PatchSides> sides = winding(now, all);

@@ -27,9 +27,8 @@ struct United {
 /// triangles meet again, all that is done once more.
 ///
 /// @param inside_out  refused: such places are counted as empty, and told
-/// @return            nothing where the surface has no winding numbers: it has an edge along which not as
-/// many
-///                    triangles run one way as the other
+/// @return  nothing where the surface has no winding numbers, for along an edge not as many triangles run one
+///          way as the other; nor where each triangle meets twenty others and more
 [[nodiscard]] std::optional<United> unite(const TriangleMesh& mesh, InsideOut inside_out);
 
 }  // namespace kreisel::core

@@ -155,7 +155,7 @@ TEST(Unite, IsSolidWhereverTheSurfaceWindsOnceOrMore) {
 
 TEST(Unite, AShellThatRunsThroughItself) {
   // A tube so thick that it meets itself over the ring's hole: its surface winds twice there.
-  TriangleMesh mesh = torus(24, 16);
+  TriangleMesh mesh = torus(12, 16);
   for (Vec3& v : mesh.vertices) {
     const double around = std::atan2(v.y(), v.x()), out = std::hypot(v.x(), v.y()) - 3;
     v = {(2.5 * out + 1.5) * std::cos(around), (2.5 * out + 1.5) * std::sin(around), 2.5 * v.z()};
@@ -191,6 +191,25 @@ TEST(Unite, AnOpenSurfaceHasNoWindingNumbers) {
   TriangleMesh open = both(cube, box_mesh({1, 1, 2}, {2, 2, 4}));
   open.triangles.pop_back();
   EXPECT_FALSE(unite(open, InsideOut::refused));
+}
+
+TEST(Unite, CoordinatesOfAnySize) {
+  for (const double size : {1e-80, 1e-30, 1e20, 1e90}) {
+    TriangleMesh mesh = both(cube, box_mesh({1, 1, 2}, {2, 2, 4}));
+    for (Vec3& v : mesh.vertices) v *= size;
+    const auto united = unite(mesh, InsideOut::refused);
+    ASSERT_TRUE(united);
+    expect_sound(united->mesh);
+    EXPECT_NEAR(inspect(moved(united->mesh, Eigen::Scaling(1 / size))).volume, 28, 1e-9) << size;
+  }
+}
+
+TEST(Unite, ATangleIsLeftAlone) {
+  Random random(2);
+  TriangleMesh tangle;
+  for (int i = 0; i < 120; ++i)
+    tangle = both(tangle, turned(box_mesh({-9, -0.1, -9}, {9, 0.1, 9}), random, 0.1));
+  EXPECT_FALSE(unite(tangle, InsideOut::refused));
 }
 
 TEST(Unite, CoordinatesOfSinglePrecisionStayThat) {
