@@ -16,7 +16,6 @@ constexpr std::uint32_t none = ~0u;
 struct SectionLoop {
   Polygon points;
   std::uint32_t piece = none;  ///< of the surface below
-  [[nodiscard]] bool around_material() const { return area(points) > 0; }
 };
 
 /// The surface at or below the plane in pieces: vertices joined along edges that are below it.
@@ -90,29 +89,21 @@ class Below {
 /// where it is the water that has no end.
 std::vector<std::uint32_t> regions_beside(const std::vector<SectionLoop>& loops) {
   std::vector<std::uint32_t> region(loops.size(), none);
+  std::vector<double> hollow;  // areas, of those around hollows positive
+  for (const SectionLoop& loop : loops) hollow.push_back(-area(loop.points));
   for (std::uint32_t i = 0; i < loops.size(); ++i) {
-    if (!loops[i].around_material()) {
+    if (hollow[i] >= 0) {
       region[i] = i;
       continue;
     }
     double least = std::numeric_limits<double>::infinity();  // the smallest hollow around it
     for (std::uint32_t j = 0; j < loops.size(); ++j) {
-      const double size = -area(loops[j].points);
-      if (size <= 0 || size >= least || !contains(loops[j].points, loops[i].points[0])) continue;
-      least = size;
+      if (hollow[j] <= 0 || hollow[j] >= least || !contains(loops[j].points, loops[i].points[0])) continue;
+      least = hollow[j];
       region[i] = j;
     }
   }
   return region;
-}
-
-/// Six times the volume of the cones from the origin to the triangles of closed pieces, by piece.
-std::unordered_map<std::uint32_t, double> volumes(const TriangleMesh& mesh, Below& below) {
-  std::unordered_map<std::uint32_t, double> sums;
-  for (const auto& [a, b, c] : mesh.triangles)
-    if (below.below(a) && below.below(b) && below.below(c))
-      sums[below.piece(a)] += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c]));
-  return sums;
 }
 
 }  // namespace
@@ -124,22 +115,25 @@ std::vector<char> dry_vertices(const TriangleMesh& mesh, double level) {
   // Regions, and pieces of surface by what they end in; the last is the water outside.
   const auto outside = std::uint32_t(loops.size());
   DisjointSets waters(loops.size() + 1);
-  std::unordered_map<std::uint32_t, std::uint32_t> water_of;  // by piece
+  std::vector<std::uint32_t> water_of(mesh.vertices.size(), none);  // by piece
   for (std::uint32_t i = 0; i < loops.size(); ++i) {
     const std::uint32_t beside = region[i] == none ? outside : region[i];
-    waters.join(water_of.try_emplace(loops[i].piece, beside).first->second, beside);
+    std::uint32_t& water = water_of[loops[i].piece];
+    if (water == none) water = beside;
+    waters.join(water, beside);
   }
-  std::unordered_map<std::uint32_t, char> dry;
-  for (const auto& [piece, water] : water_of) dry[piece] = waters.find(water) != waters.find(outside);
   // What ends nowhere is a cavity where it faces inward, else material around which all is wet.
-  for (const auto& [piece, volume] : volumes(mesh, below))
-    if (!water_of.contains(piece)) dry[piece] = volume < 0;
+  std::vector<double> volume(mesh.vertices.size(), 0);  // six times that of cones to the origin
+  for (const auto& [a, b, c] : mesh.triangles)
+    if (below.below(a) && below.below(b) && below.below(c))
+      if (const std::uint32_t piece = below.piece(a); water_of[piece] == none)
+        volume[piece] += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c]));
   std::vector<char> vertices(mesh.vertices.size(), 0);
   bool any = false;
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
     if (!below.below(v)) continue;
-    const auto found = dry.find(below.piece(v));
-    vertices[v] = found != dry.end() && found->second;
+    const std::uint32_t piece = below.piece(v), water = water_of[piece];
+    vertices[v] = water == none ? volume[piece] < 0 : waters.find(water) != waters.find(outside);
     any = any || vertices[v];
   }
   if (!any) vertices.clear();

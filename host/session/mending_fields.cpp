@@ -42,33 +42,39 @@ std::vector<int> pieces(S key, S value) {
 Fields<Mending> mending_fields() {
   using M = Mending&;
   using ConstM = const Mending&;
-  Fields<Mending> fields{
-      {"weld", "mm", "corners at open edges of a file this near are one; default as its digits say",
-       [](M m, S k, S v) {
-         m.weld = number(k, v);
-         if (*m.weld < 0) refuse(k, v, "0 mm or more");
-       },
-       [](ConstM m) { return number_text(m.weld); }},
-      {"close-holes", "mm",
-       "close holes of the surface that are no larger across; all, or no value: of any size",
-       [](M m, S k, S v) { m.close_holes = holes(k, v); },
-       [](ConstM m) {
-         return m.close_holes && std::isinf(*m.close_holes) ? std::string("all") : number_text(m.close_holes);
-       }},
-      chosen_from<Mending>(
-          words_of(ways_inside_out),
-          {"inside-out", "", "what the surface encloses inside out is: solid, or void",
-           [](M m, S k, S v) { m.inside_out = InsideOut(1 + word_of(k, v, ways_inside_out)); },
-           [](ConstM m) {
-             const auto way = std::size_t(m.inside_out);
-             return way ? std::string(ways_inside_out[way - 1]) : std::string();
-           }}),
-      {"pieces", "N,N", "of several pieces that do not touch those that are meant, by weight; or largest",
-       [](M m, S k, S v) { m.pieces = pieces(k, v); },
-       [](ConstM m) { return fmt::format("{}", fmt::join(m.pieces, ",")); }}};
-  for (Field<Mending>& field : fields)
-    if (field.name == "close-holes") field.alone = "all";
-  return grouped<Mending>("mesh", std::move(fields));
+  return grouped<Mending>(
+      "mesh",
+      {{"weld", "mm", "corners at open edges of a file this near are one; default as its digits say",
+        [](M m, S k, S v) {
+          m.weld = number(k, v);
+          if (*m.weld < 0) refuse(k, v, "0 mm or more");
+        },
+        [](ConstM m) { return number_text(m.weld); }},
+       {"close-holes",
+        "mm",
+        "close holes of the surface that are no larger across; all, or no value: of any size",
+        [](M m, S k, S v) { m.close_holes = holes(k, v); },
+        [](ConstM m) {
+          return m.close_holes && std::isinf(*m.close_holes) ? std::string("all")
+                                                             : number_text(m.close_holes);
+        },
+        Identity::changed,
+        1,
+        false,
+        "",
+        {},
+        "all"},
+       chosen_from<Mending>(
+           words_of(ways_inside_out),
+           {"inside-out", "", "what the surface encloses inside out is: solid, or void",
+            [](M m, S k, S v) { m.inside_out = InsideOut(1 + word_of(k, v, ways_inside_out)); },
+            [](ConstM m) {
+              const auto way = std::size_t(m.inside_out);
+              return way ? std::string(ways_inside_out[way - 1]) : std::string();
+            }}),
+       {"pieces", "N,N", "of several pieces that do not touch those that are meant, by weight; or largest",
+        [](M m, S k, S v) { m.pieces = pieces(k, v); },
+        [](ConstM m) { return fmt::format("{}", fmt::join(m.pieces, ",")); }}});
 }
 
 }  // namespace kreisel::core

@@ -36,6 +36,15 @@ std::map<std::uint32_t, std::vector<Segment>> contacts(
   return found;
 }
 
+/// The faces with points that are about right.
+TriangleMesh near_mesh(const Arrangement& arrangement) {
+  TriangleMesh mesh{{}, arrangement.faces};
+  mesh.vertices.reserve(arrangement.points.size());
+  for (std::uint32_t p = 0; p < arrangement.points.size(); ++p)
+    mesh.vertices.push_back(arrangement.points.near(p));
+  return mesh;
+}
+
 }  // namespace
 
 void PointSet::know(std::uint32_t vertex) {
@@ -85,6 +94,9 @@ Arrangement arrange(const TriangleMesh& mesh, const std::vector<std::array<std::
   // A patch goes on across what is no line, and across edges where nothing else is.
   DisjointSets patches(made.faces.size());
   for_each_edge(sorted_sides(near_mesh(made)), [&](auto first, auto last) {
+    std::ptrdiff_t sum = 0;
+    for (auto side = first; side != last; ++side) sum += side->forward ? 1 : -1;
+    made.closed = made.closed && sum == 0;
     if (last - first == 2 && first->forward != (first + 1)->forward) {
       patches.join(first->triangle, (first + 1)->triangle);
       return;
@@ -99,24 +111,6 @@ Arrangement arrange(const TriangleMesh& mesh, const std::vector<std::array<std::
   });
   for (std::uint32_t f = 0; f < made.faces.size(); ++f) made.patch.push_back(patches.find(f));
   return made;
-}
-
-TriangleMesh near_mesh(const Arrangement& arrangement) {
-  TriangleMesh mesh{{}, arrangement.faces};
-  mesh.vertices.reserve(arrangement.points.size());
-  for (std::uint32_t p = 0; p < arrangement.points.size(); ++p)
-    mesh.vertices.push_back(arrangement.points.near(p));
-  return mesh;
-}
-
-bool closes(const Arrangement& arrangement) {
-  bool all = true;
-  for_each_edge(sorted_sides(near_mesh(arrangement)), [&](auto first, auto last) {
-    std::ptrdiff_t sum = 0;
-    for (auto side = first; side != last; ++side) sum += side->forward ? 1 : -1;
-    all = all && sum == 0;
-  });
-  return all;
 }
 
 }  // namespace kreisel::core

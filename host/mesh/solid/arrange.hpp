@@ -42,6 +42,8 @@ struct Arrangement {
   std::vector<Triangle> faces;        ///< by number of their points; as the triangle runs that each is of
   std::vector<std::uint32_t> source;  ///< of each face its triangle in the mesh; ascending
   std::vector<std::uint32_t> patch;   ///< of each face the lowest face of those that no line parts from it
+  /// Along every edge as many faces run one way as the other: then each place has a winding number.
+  bool closed = true;
 };
 
 /// The exact arrangement of a surface's triangles. Those of none of the pairs are faces as they are, those
@@ -50,11 +52,5 @@ struct Arrangement {
 /// @param crossings  as from self_intersections()
 [[nodiscard]] Arrangement arrange(const TriangleMesh& mesh,
                                   const std::vector<std::array<std::uint32_t, 2>>& crossings);
-
-/// The faces with points that are about right.
-[[nodiscard]] TriangleMesh near_mesh(const Arrangement& arrangement);
-
-/// Whether along every edge as many faces run one way as the other: then each place has a winding number.
-[[nodiscard]] bool closes(const Arrangement& arrangement);
 
 }  // namespace kreisel::core

@@ -12,7 +12,6 @@ namespace kreisel::core {
 struct RayCount {
   int ahead = 0;                    ///< triangles passed from their back to their front, less the others
   std::vector<std::uint32_t> here;  ///< triangles that hold the point, ascending
-  [[nodiscard]] bool operator==(const RayCount&) const = default;
 };
 
 /// Rays in one direction through the triangles of a mesh, which are sorted by where they lie across it.

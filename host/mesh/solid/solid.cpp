@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "error.hpp"
 #include "geometry/single_precision.hpp"
@@ -146,9 +145,9 @@ void take_pieces(Surface& surface, std::string_view name, const std::vector<int>
                                    solid.pieces.size()));
     chosen.push_back(solid.pieces[std::size_t(number) - 1]);
   }
-  double left = -std::accumulate(chosen.begin(), chosen.end(), 0.0,
-                                 [](double sum, const Piece& p) { return sum + p.volume; });
+  double left = 0;
   for (const Piece& piece : solid.pieces) left += piece.volume;
+  for (const Piece& piece : chosen) left -= piece.volume;
   if (chosen.size() < solid.pieces.size())
     solid.repairs.lines.push_back(fmt::format("left out {} of {} pieces, {:.4g} mm^3",
                                               solid.pieces.size() - chosen.size(), solid.pieces.size(),

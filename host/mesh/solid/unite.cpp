@@ -122,18 +122,23 @@ TriangleMesh rounded(const TriangleMesh& mesh, const PointSet& points, std::vect
   return repaired(std::move(made), unsaid);
 }
 
+/// A mesh with the pairs of its triangles that meet.
+struct Met {
+  TriangleMesh mesh;
+  std::vector<std::array<std::uint32_t, 2>> crossings;
+};
+
 /// The first rounding that lets no triangles meet, else that of the fewest.
-TriangleMesh best_rounded(const TriangleMesh& mesh, const PointSet& points,
-                          const std::vector<Triangle>& triangles) {
-  TriangleMesh best;
-  std::size_t fewest = ~std::size_t{0};
+Met best_rounded(const TriangleMesh& mesh, const PointSet& points, const std::vector<Triangle>& triangles) {
+  Met best;
   for (const Rounding& rounding : roundings(mesh)) {
     TriangleMesh candidate = rounded(mesh, points, triangles, rounding);
-    const std::size_t crossings = candidate.triangles.empty() ? fewest : self_intersections(candidate).size();
-    if (crossings >= fewest) continue;
-    fewest = crossings;
-    best = std::move(candidate);
-    if (fewest == 0) break;
+    auto crossings = self_intersections(candidate);
+    if (candidate.triangles.empty() ||
+        (!best.mesh.triangles.empty() && crossings.size() >= best.crossings.size()))
+      continue;
+    best = {std::move(candidate), std::move(crossings)};
+    if (best.crossings.empty()) break;
   }
   return best;
 }
@@ -161,29 +166,26 @@ std::size_t shared_triangles(const TriangleMesh& before, const TriangleMesh& aft
 
 std::optional<United> unite(const TriangleMesh& mesh, InsideOut inside_out) {
   United made;
-  TriangleMesh now = mesh;
-  for (int round = 0; round < most_rounds; ++round) {
-    const auto crossings = self_intersections(now);
-    if (round > 0 && crossings.empty()) break;
-    if (crossings.size() > tangled(now)) return {};
-    const Arrangement all = arrange(now, crossings);
-    if (all.faces.empty() || !closes(all)) return {};
-    std::vector<PatchSides> sides = winding(now, all);
+  Met now{mesh, self_intersections(mesh)};
+  for (int round = 0; round == 0 || (round < most_rounds && !now.crossings.empty()); ++round) {
+    if (now.crossings.size() > tangled(now.mesh)) return {};
+    const Arrangement all = arrange(now.mesh, now.crossings);
+    if (all.faces.empty() || !all.closed) return {};
+    const std::vector<PatchSides> sides = winding(now.mesh, all);
     if (round == 0) {
       const auto most = std::ranges::max(sides, {}, &PatchSides::back).back;
       const auto least = std::ranges::min(sides, {}, &PatchSides::front).front;
       if (most <= 0 && least < 0) {
-        auto turned = unite(turned_over(std::move(now)), inside_out);
+        auto turned = unite(turned_over(mesh), inside_out);
         if (turned) turned->turned = true;
         return turned;
       }
       measure(all, sides, made);
     }
-    now = best_rounded(now, all.points, boundary(all, sides, inside_out));
+    now = best_rounded(now.mesh, all.points, boundary(all, sides, inside_out));
   }
-  made.kept = shared_triangles(mesh, now);
-  made.cut = mesh.triangles.size() - made.kept;
-  made.mesh = std::move(now);
+  made.kept = shared_triangles(mesh, now.mesh);
+  made.mesh = std::move(now.mesh);
   return made;
 }
 

@@ -13,7 +13,6 @@ using kreisel::InsideOut;
 /// The boundary of all places that a surface encloses once or more.
 struct United {
   TriangleMesh mesh;
-  std::size_t cut = 0;          ///< triangles that were cut or dropped
   std::size_t kept = 0;         ///< triangles that are as they were
   double overlap = 0;           ///< volume enclosed more than once, cubed units of the mesh
   double inside_out = 0;        ///< volume that the surface winds around inside out

@@ -11,12 +11,10 @@ struct PatchSides {
   int front = 0;  ///< where its triangles run counter-clockwise
   int back = 0;
   bool repeated = false;  ///< another patch with a lower number lies on it, and runs the same way
-
-  [[nodiscard]] auto operator<=>(const PatchSides&) const = default;
 };
 
 /// For every face the sides of its patch. By a ray from the middle of a face of each patch, with exact signs.
-/// @param mesh          that was arranged  @param arrangement  closes()
+/// @param mesh          that was arranged  @param arrangement  closed
 /// @throws InputError   no ray does that passes no edge: not so with any triangles but few
 [[nodiscard]] std::vector<PatchSides> winding(const TriangleMesh& mesh, const Arrangement& arrangement);
 
