@@ -12,8 +12,8 @@ import importlib
 
 from ._records import BadRecord, records
 
-_compiled = {"Body", "Device", "Error", "InputError", "Inspection", "Iteration", "Map", "Mending", "Nesting", "Part", "Place",
-             "Question", "Session", "Shell", "Solid", "Solution", "Verdict", "add_problem", "inspect", "nest",
+_compiled = {"Body", "Device", "Error", "InputError", "Inspection", "Iteration", "Map", "Mending", "Nesting", "Part",
+             "Place", "Question", "Session", "Shell", "Solid", "Solution", "Verdict", "add_problem", "inspect", "nest",
              "question_fields", "verify"}
 _plain = {"Problem", "S1", "SX", "SY", "SZ", "SXY", "SYZ", "SXZ", "SXX", "SYY", "SZZ"}
 

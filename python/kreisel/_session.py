@@ -3,11 +3,11 @@
 import numpy as np
 
 from . import _core
-from ._core import (Body, Device, Error, InputError, Inspection, Iteration, Nesting, Part, Question, Shell, Solid,
-                    Solution, Verdict, add_problem, inspect, nest, question_fields, verify)
+from ._core import (Body, Device, Error, InputError, Inspection, Iteration, Mending, Nesting, Part, Question, Shell,
+                    Solid, Solution, Verdict, add_problem, inspect, nest, question_fields, verify)
 
-__all__ = ["Body", "Device", "Error", "InputError", "Inspection", "Iteration", "Map", "Nesting", "Part", "Place",
-           "Question", "Session", "Shell", "Solid", "Solution", "Verdict", "add_problem", "inspect", "nest",
+__all__ = ["Body", "Device", "Error", "InputError", "Inspection", "Iteration", "Map", "Mending", "Nesting", "Part",
+           "Place", "Question", "Session", "Shell", "Solid", "Solution", "Verdict", "add_problem", "inspect", "nest",
            "question_fields", "verify"]
 
 
