@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(Nearest, CountsLettersPutInLeftOutReplacedAndSwapped) {
   EXPECT_EQ(edit_distance("duck", "duck"), 0u);
@@ -27,5 +27,5 @@ TEST(Nearest, PrefersTheFirstOfEquals) {
   EXPECT_EQ(nearest("cat", std::vector<std::string>{"car", "cab"}), "car");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

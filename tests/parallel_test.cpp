@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(ParallelFor, CallsEveryPieceOnce) {
   for (const std::size_t count : {0u, 1u, 2u, 1000u}) {
@@ -27,5 +27,5 @@ TEST(ParallelFor, ThrowsWhatAPieceThrewAndBeginsNoFurtherPieces) {
   EXPECT_LT(calls, 100000);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include <string>
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(Parse, TakesWholeNumbersWithOrWithoutASign) {
   EXPECT_EQ(parse<double>("0.25"), 0.25);
@@ -43,5 +43,5 @@ TEST(ParseVector, TakesThreeNumbersBetweenTwoCommas) {
     EXPECT_EQ(parse_vector(text), std::nullopt) << "'" << text << "'";
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(Statistics, MedianIsTheMiddleOrTheMeanOfBoth) {
   EXPECT_EQ(median({7}), 7);
@@ -19,5 +19,5 @@ TEST(Statistics, QuantilesLieBetweenValuesInProportion) {
   EXPECT_EQ(quantile({40, 10, 30, 20, 50}, 0.25), 20);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "parallel.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(StopScope, IsOfOneThreadAndOfThoseThatItsLoopsStart) {
   std::stop_source source;
@@ -65,5 +65,5 @@ TEST_F(StoppedMesh, IsNeitherReadNorCheckedNorWritten) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "b.stl"));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

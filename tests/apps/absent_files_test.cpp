@@ -8,7 +8,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 class BenchAbsentFiles : public testing::Test {
  protected:
@@ -65,5 +65,5 @@ TEST_F(BenchAbsentFiles, RefusesAFolderThatIsNone) {
   EXPECT_NE(a.out.find("--models nowhere: no such folder"), std::string::npos) << a.out;
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

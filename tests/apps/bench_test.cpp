@@ -15,10 +15,11 @@
 #include "mesh/io/read.hpp"
 #include "mesh/io/write.hpp"
 #include "mesh/shapes.hpp"
+#include "places.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -59,7 +60,7 @@ TEST_F(Bench, WritesARecordThatH5pyReadsByTheSchema) {
   KREISEL_NEEDS(imports("h5py"), "h5py");
   const BenchAnswer a = bench(fmt::format("{} --record {}", small, file("run.h5")));
   ASSERT_NE(a.code, 2) << a.out;
-  EXPECT_EQ(std::system(fmt::format("/usr/bin/python3 '{}/tests/record/h5py_test.py' {}", KREISEL_SOURCE,
+  EXPECT_EQ(std::system(fmt::format("/usr/bin/python3 '{}/tests/record/h5py_test.py' {}", source_folder,
                                     file("run.h5"))
                             .c_str()),
             0);
@@ -261,5 +262,5 @@ TEST_F(Bench, EndsWithTheSolveWhenNoPartIsAskedFor) {
   EXPECT_FALSE(std::filesystem::exists(file("n.stl")));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

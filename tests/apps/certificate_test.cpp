@@ -7,10 +7,11 @@
 
 #include "apps/run_bench.hpp"
 #include "installed.hpp"
+#include "places.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 const std::string python = "/usr/bin/python3";
 
@@ -26,7 +27,7 @@ class Certified : public testing::Test {
     return nlohmann::json::parse(in, nullptr, false);
   }
   [[nodiscard]] BenchAnswer check() const {
-    return shell(fmt::format("{} '{}/plots/check_certificate.py' '{}'", python, KREISEL_SOURCE, record()));
+    return shell(fmt::format("{} '{}/plots/check_certificate.py' '{}'", python, source_folder, record()));
   }
   static bool can_check() { return imports("h5py, numpy"); }
 
@@ -155,5 +156,5 @@ TEST_F(Certified, AGapThatIsNoneIsRefused) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

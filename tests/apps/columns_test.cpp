@@ -9,10 +9,10 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(BenchColumns, AreThePageThatListsThem) {
-  std::ifstream file(KREISEL_SOURCE "/docs/tables.md");
+  std::ifstream file(std::string(source_folder) + "/docs/tables.md");
   const std::string page((std::istreambuf_iterator<char>(file)), {});
   const BenchAnswer a = bench("columns --markdown");
   ASSERT_EQ(a.code, 0) << a.out;
@@ -48,5 +48,5 @@ TEST(BenchColumns, GiveTheValuesOfEachRecord) {
   EXPECT_EQ(bench(fmt::format("show '{}' --json -", at)).code, 2);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

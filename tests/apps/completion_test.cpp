@@ -6,10 +6,11 @@
 #include "apps/run_bench.hpp"
 #include "apps/run_design.hpp"
 #include "installed.hpp"
+#include "places.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using Words = std::vector<std::string>;
 
@@ -95,7 +96,7 @@ TEST(Completion, IsWhatBashOffers) {
     return lines_of(shell(
         fmt::format("cd '{}'; bash -c 'source <(\"{}\" completion bash); COMP_WORDS=({}); COMP_CWORD={}; "
                     "_bench \"{}\"; printf \"%s\\n\" \"${{COMPREPLY[@]}}\"'",
-                    folder.path.string(), KREISEL_BENCH, words, at, KREISEL_BENCH)));
+                    folder.path.string(), bench_program, words, at, bench_program)));
   };
   EXPECT_EQ(offers("bench --wall-to ce", 2), (Words{"centres"}));
   EXPECT_EQ(offers("bench --wall-to = co", 3), (Words{"corners"}));
@@ -103,5 +104,5 @@ TEST(Completion, IsWhatBashOffers) {
   EXPECT_EQ(offers("bench --model sh", 2), (Words{"shape.stl"}));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

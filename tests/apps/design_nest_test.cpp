@@ -18,7 +18,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -137,5 +137,5 @@ TEST_F(DesignNest, RefusesInOneLine) {
   EXPECT_EQ(files(), 1u);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -19,7 +19,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -307,5 +307,5 @@ INSTANTIATE_TEST_SUITE_P(
                 "whose shell is its densest material"},
         Mistake{"stand kitten -o part.stl --axle 3", "'--axle' was not expected"}));
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -12,7 +12,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -217,5 +217,5 @@ TEST_F(Endings, CtrlCWhileSolvingWritesNothing) {
   EXPECT_EQ(files(), std::vector<std::string>{"ready"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

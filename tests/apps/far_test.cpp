@@ -16,7 +16,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A top of 40 mm that leans to one side, so that there is something to do.
 TriangleMesh lopsided() {
@@ -125,5 +125,5 @@ TEST_F(Far, ModelThatSinglePrecisionSpoiledIsRefusedWithTheMoveThatWouldDo) {
       << a.out;
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

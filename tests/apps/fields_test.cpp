@@ -7,10 +7,10 @@
 #include "apps/run_bench.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(BenchFields, AreThePageThatListsThem) {
-  std::ifstream file(KREISEL_SOURCE "/docs/fields.md");
+  std::ifstream file(std::string(source_folder) + "/docs/fields.md");
   const std::string page((std::istreambuf_iterator<char>(file)), {});
   const BenchAnswer a = bench("fields --markdown");
   ASSERT_EQ(a.code, 0) << a.out;
@@ -27,5 +27,5 @@ TEST(BenchFields, AreListedByKind) {
   EXPECT_NE(wrong.out.find("did you mean 'layers'?"), std::string::npos) << wrong.out;
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "mesh/shapes.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using nlohmann::json;
 
@@ -200,5 +200,5 @@ TEST_F(Inspect, RefusesWhatIsNoMeshInOneLine) {
   EXPECT_EQ(bench("inspect").code, 2);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

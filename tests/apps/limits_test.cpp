@@ -8,7 +8,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 class LimitedRun : public ::testing::Test {
  protected:
@@ -62,5 +62,5 @@ TEST_F(LimitedRun, KeepsNoMeshAndNeedsLimitsAboveNothing) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

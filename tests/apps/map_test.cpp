@@ -10,10 +10,11 @@
 
 #include "apps/run_bench.hpp"
 #include "installed.hpp"
+#include "places.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 class BenchMap : public ::testing::Test {
  protected:
@@ -23,7 +24,7 @@ class BenchMap : public ::testing::Test {
   void expect_h5py_reads(const std::string& map) const {
     KREISEL_NEEDS(imports("h5py"), "h5py");
     const BenchAnswer a =
-        shell(fmt::format("/usr/bin/python3 '{}/tests/record/map_h5py_test.py' {}", KREISEL_SOURCE, map));
+        shell(fmt::format("/usr/bin/python3 '{}/tests/record/map_h5py_test.py' {}", source_folder, map));
     EXPECT_EQ(a.code, 0) << a.out;
   }
 
@@ -81,7 +82,7 @@ TEST_F(BenchMap, FloatsAtSeveralDrafts) {
 TEST_F(BenchMap, KeepsWhatIsDoneWhenInterrupted) {
   const BenchAnswer a =
       shell(fmt::format("timeout --preserve-status -s INT 6 '{}' map {} --axes 2000000 --record {}",
-                        KREISEL_BENCH, small, file("part.h5")));
+                        bench_program, small, file("part.h5")));
   EXPECT_EQ(a.code, 130) << a.out;
   if (!std::filesystem::exists(file("part.h5")) && a.out.find("domain") == std::string::npos)
     GTEST_SKIP() << "too slow to get beyond the set-up within 6 s";
@@ -126,5 +127,5 @@ TEST_F(BenchMap, RefusesWhatItCannotDoInOneLine) {
   EXPECT_EQ(bench("map").code, 2);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

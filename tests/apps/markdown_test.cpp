@@ -10,10 +10,11 @@
 #include "apps/run_bench.hpp"
 #include "experiment/experiment.hpp"
 #include "experiment/table_places.hpp"
+#include "places.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -24,7 +25,7 @@ std::string content_of(const fs::path& file) {
 
 /// README and all of docs/.
 std::vector<fs::path> documents() {
-  const fs::path source = KREISEL_SOURCE;
+  const fs::path source = source_folder;
   std::vector<fs::path> files{source / "README.md"};
   for (const auto& entry : fs::recursive_directory_iterator(source / "docs"))
     if (entry.path().extension() == ".md") files.push_back(entry.path());
@@ -114,5 +115,5 @@ TEST_F(MarkdownReport, FillsOnlyTheExperimentsThatAreNamed) {
   EXPECT_NE(content_of(file), place);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

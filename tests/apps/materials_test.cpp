@@ -9,10 +9,11 @@
 #include "apps/run_bench.hpp"
 #include "body/test_meshes.hpp"
 #include "mesh/io/write.hpp"
+#include "places.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A box of 60 x 40 x 30 mm that is to balance 7 mm beside its middle. With walls of 3.75 mm a little over
 /// half of it can be hollowed: that moves the centre of mass by less than 5 mm, by hand, and by 6.5 in
@@ -76,7 +77,7 @@ TEST_F(TwoMaterials, AreCertifiedAndTheCheckOfTheProofAgrees) {
   if (std::system("/usr/bin/python3 -c 'import h5py' 2>/dev/null") != 0) return;
   for (const char* const script : {"plots/check_certificate.py", "tests/record/h5py_test.py"}) {
     const BenchAnswer check =
-        shell(fmt::format("/usr/bin/python3 '{}/{}' '{}'", KREISEL_SOURCE, script, at("run.h5")));
+        shell(fmt::format("/usr/bin/python3 '{}/{}' '{}'", source_folder, script, at("run.h5")));
     EXPECT_EQ(check.code, 0) << script << check.out;
   }
 }
@@ -110,5 +111,5 @@ TEST_F(TwoMaterials, StandByThePlaneSweepHigherThanTheyCould) {
   EXPECT_LT(json().at("verified").at("height_share").get<double>(), height);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -14,7 +14,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -303,5 +303,5 @@ TEST_F(BenchExperiment, IntoAFileInsteadOfAFolderIsRefused) {
                   "plain/trial: Not a directory, expected a folder for results");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -7,8 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include "places.hpp"
+
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -36,7 +38,7 @@ TEST(Names, AreSeenWhereTheyAreCompared) {
 TEST(Names, OfProblemsAndFormulationsAreComparedNowhere) {
   std::size_t files = 0;
   std::string found;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(KREISEL_SOURCE) / "host")) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(source_folder) / "host")) {
     if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
     ++files;
     std::ifstream file(entry.path());
@@ -51,5 +53,5 @@ TEST(Names, OfProblemsAndFormulationsAreComparedNowhere) {
   EXPECT_EQ(found, "") << "expected a capability of its entry in the registry";
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -8,11 +8,12 @@
 #include "apps/run_bench.hpp"
 #include "body/test_meshes.hpp"
 #include "mesh/io/write.hpp"
+#include "places.hpp"
 #include "record/records_in.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 class BenchLayers : public testing::Test {
  protected:
@@ -22,7 +23,7 @@ class BenchLayers : public testing::Test {
     return bench(fmt::format("nest --outer '{}' {}", file("cube.off"), more));
   }
   [[nodiscard]] bool draws(const std::string& script, const std::string& record) const {
-    const BenchAnswer a = shell(fmt::format("/usr/bin/python3 '{}/plots/{}.py' '{}' -o '{}'", KREISEL_SOURCE,
+    const BenchAnswer a = shell(fmt::format("/usr/bin/python3 '{}/plots/{}.py' '{}' -o '{}'", source_folder,
                                             script, file(record), file("picture.png")));
     EXPECT_EQ(a.code, 0) << a.out;
     return std::filesystem::exists(file("picture.png")) && std::filesystem::remove(file("picture.png"));
@@ -104,5 +105,5 @@ TEST_F(BenchLayers, RefusesWhatDoesNotGoTogetherInOneLine) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -13,10 +13,11 @@
 #include "installed.hpp"
 #include "mesh/io/write.hpp"
 #include "nest/known_answers.hpp"
+#include "places.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A cube of 4 and one of 2 within it.
 class BenchNest : public testing::Test {
@@ -65,7 +66,7 @@ TEST_F(BenchNest, WritesARecordThatH5pyReadsAndShowPrints) {
   EXPECT_NE(shown.out.find("free=position,removal"), std::string::npos) << shown.out;
   KREISEL_NEEDS(shell("/usr/bin/python3 -c 'import h5py, numpy'").code == 0, "h5py");
   const BenchAnswer read =
-      shell(fmt::format("/usr/bin/python3 '{}/tests/record/nest_h5py_test.py' '{}'", KREISEL_SOURCE, record));
+      shell(fmt::format("/usr/bin/python3 '{}/tests/record/nest_h5py_test.py' '{}'", source_folder, record));
   EXPECT_EQ(read.code, 0) << read.out;
 }
 
@@ -187,5 +188,5 @@ TEST_F(BenchNest, RefusesUnknownFreedomsAndVariantsInOneLine) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -14,7 +14,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using nlohmann::json;
 
@@ -125,5 +125,5 @@ TEST_F(OctreeRun, BySlsqpStopsOnCtrlCWithinAnIteration) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(4 + 6));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

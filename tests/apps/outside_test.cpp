@@ -12,10 +12,11 @@
 
 #include "apps/run_design.hpp"
 #include "installed.hpp"
+#include "places.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// The number behind `name` and blanks or '='; NaN without one.
 double number_after(const std::string& name, const std::string& text) {
@@ -127,9 +128,9 @@ TEST_F(Outside, CgalFindsASurfaceThatBoundsAVolumeAndDoesNotRunThroughItself) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "not built with sanitizers";
 #endif
-  KREISEL_NEEDS(std::filesystem::exists(KREISEL_CGAL_CHECK), "cgal_check");
+  KREISEL_NEEDS(std::filesystem::exists(cgal_check_program), "cgal_check");
   for (const Part& part : parts) {
-    const std::string said = shell(fmt::format("'{}' {}", KREISEL_CGAL_CHECK, part.file)).out;
+    const std::string said = shell(fmt::format("'{}' {}", cgal_check_program, part.file)).out;
     EXPECT_NE(said.find("closed 1 self_intersects 0 bounds_volume 1"), std::string::npos) << said;
     if (!std::isfinite(part.volume)) continue;
     EXPECT_EQ(number_after("triangles", said), part.triangles);
@@ -137,5 +138,5 @@ TEST_F(Outside, CgalFindsASurfaceThatBoundsAVolumeAndDoesNotRunThroughItself) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

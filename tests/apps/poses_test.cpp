@@ -14,7 +14,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -121,5 +121,5 @@ TEST_F(Poses, BalanceHangAndDieMakeParts) {
   EXPECT_LT(spread("after"), 0.7 * spread("before")) << a.out;
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

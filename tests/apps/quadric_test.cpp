@@ -7,10 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/run_bench.hpp"
+#include "places.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 class QuadricRun : public testing::Test {
  protected:
@@ -38,7 +39,7 @@ TEST_F(QuadricRun, MeshesASmoothCavityThatMeetsTheConstraints) {
   // The solver's tolerance for the mesh, a thousandth of what a verdict asks for; STL rounds below that.
   EXPECT_LE(j.at("verified").at("off_axis").get<double>(), 2e-6);
   if (std::system("/usr/bin/python3 -c 'import h5py' 2>/dev/null") != 0) return;
-  EXPECT_EQ(shell(fmt::format("/usr/bin/python3 '{}/tests/record/h5py_test.py' '{}'", KREISEL_SOURCE,
+  EXPECT_EQ(shell(fmt::format("/usr/bin/python3 '{}/tests/record/h5py_test.py' '{}'", source_folder,
                               file("run.h5")))
                 .code,
             0);
@@ -73,5 +74,5 @@ TEST_F(QuadricRun, RefusesADomainThatAFormulationCannotUse) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

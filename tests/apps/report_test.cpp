@@ -11,15 +11,16 @@
 
 #include "apps/run_bench.hpp"
 #include "installed.hpp"
+#include "places.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 
 BenchAnswer plot(const std::string& script, const std::string& arguments) {
-  return shell(fmt::format("KREISEL_BENCH='{}' /usr/bin/python3 '{}/plots/{}.py' {}", KREISEL_BENCH,
-                           KREISEL_SOURCE, script, arguments));
+  return shell(fmt::format("KREISEL_BENCH='{}' /usr/bin/python3 '{}/plots/{}.py' {}", bench_program,
+                           source_folder, script, arguments));
 }
 
 std::string content_of(const fs::path& file) {
@@ -188,5 +189,5 @@ TEST_F(Report, FiguresRefuseFoldersWithoutRecordsInOneLine) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

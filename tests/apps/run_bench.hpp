@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <string>
 
+#include "places.hpp"
+
 namespace kreisel::core {
 
 struct BenchAnswer {
@@ -35,12 +37,12 @@ inline std::string interrupted_when(const std::string& arguments, const std::str
   return fmt::format(
       "'{}' {} & pid=$!; n=0; until {} || [ $n -ge 600 ]; do sleep 0.1; n=$((n+1)); done\n"
       "kill -INT $pid; wait $pid",
-      KREISEL_BENCH, arguments, ready);
+      bench_program, arguments, ready);
 }
 
 /// @param before  shell ahead of the program's name: variables, or commands that end in ;
 inline BenchAnswer bench(const std::string& arguments, const std::string& before = "") {
-  return shell(fmt::format("{} '{}' {}", before, KREISEL_BENCH, arguments));
+  return shell(fmt::format("{} '{}' {}", before, bench_program, arguments));
 }
 
 }  // namespace kreisel::core

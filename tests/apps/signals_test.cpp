@@ -9,10 +9,11 @@
 #include "apps/run_design.hpp"
 #include "body/models/geodesic.hpp"
 #include "mesh/io/write.hpp"
+#include "places.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// Seconds that `command` goes on after the signal, and its exit code; it ends before it or not.
 struct Ending {
@@ -43,8 +44,8 @@ TEST(Signals, EndTheProgramsWithinASecondWhateverIsUnderWay) {
   for (Vec3& v : ball.vertices) v = 20 * Vec3(v[0], v[1], 0.7 * v[2]);
   write_mesh(mesh, {ball});
   const std::string part = (folder.path / "part.stl").string();
-  const std::string inspect = fmt::format("'{}' inspect {}", KREISEL_BENCH, mesh);
-  const std::string design = fmt::format("'{}' spin {} -o {} --resolution 96", KREISEL_DESIGN, mesh, part);
+  const std::string inspect = fmt::format("'{}' inspect {}", bench_program, mesh);
+  const std::string design = fmt::format("'{}' spin {} -o {} --resolution 96", design_program, mesh, part);
   constexpr double within = 1.5;  // a second, on a machine that does other work
   for (const std::string& command : {inspect, design})
     for (const double after : {0.3, 0.8, 1.5, 2.5})
@@ -61,5 +62,5 @@ TEST(Signals, EndTheProgramsWithinASecondWhateverIsUnderWay) {
       }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

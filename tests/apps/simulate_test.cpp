@@ -12,10 +12,11 @@
 
 #include "apps/run_bench.hpp"
 #include "installed.hpp"
+#include "places.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using nlohmann::json;
 
@@ -62,7 +63,7 @@ TEST_F(BenchSimulate, ThePartSpinsWhereTheSolidDoesNotFromARecordAsFromItsMesh) 
 
   KREISEL_NEEDS(imports("h5py"), "h5py");
   const BenchAnswer h = shell(fmt::format("/usr/bin/python3 '{}/tests/record/simulation_h5py_test.py' {}",
-                                          KREISEL_SOURCE, file("sim.h5")));
+                                          source_folder, file("sim.h5")));
   EXPECT_EQ(h.code, 0) << h.out;
 }
 
@@ -132,5 +133,5 @@ TEST_F(BenchSimulate, RefusesWhatItCannotDoInOneLine) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

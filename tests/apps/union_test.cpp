@@ -10,16 +10,17 @@
 #include "installed.hpp"
 #include "mesh/io/write.hpp"
 #include "mesh/shapes.hpp"
+#include "places.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(Union, OfPairsOfShellsWeighsWhatCgalSays) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "not built with sanitizers";
 #endif
-  KREISEL_NEEDS(std::filesystem::exists(KREISEL_CGAL_UNION), "cgal_union");
+  KREISEL_NEEDS(std::filesystem::exists(cgal_union_program), "cgal_union");
   const TemporaryFolder folder;
   const std::string a = folder.path / "a.stl", b = folder.path / "b.stl",
                     both_file = folder.path / "both.stl";
@@ -39,7 +40,7 @@ TEST(Union, OfPairsOfShellsWeighsWhatCgalSays) {
     write_mesh(a, {first});
     write_mesh(b, {second});
     write_mesh(both_file, {both(first, second)});
-    const std::string said = shell(fmt::format("'{}' '{}' '{}'", KREISEL_CGAL_UNION, a, b)).out;
+    const std::string said = shell(fmt::format("'{}' '{}' '{}'", cgal_union_program, a, b)).out;
     ASSERT_EQ(said.find("union "), 0u) << said;
     const BenchAnswer answer = bench(fmt::format("inspect '{}' --json -", both_file));
     ASSERT_EQ(answer.code, 0) << answer.out;
@@ -48,5 +49,5 @@ TEST(Union, OfPairsOfShellsWeighsWhatCgalSays) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core::nest {
-namespace {
+namespace THIS_FILE {
 
 class BaselineOf : public testing::TestWithParam<Baseline> {};
 
@@ -46,5 +46,5 @@ TEST(Baselines, RefuseTooFewParticlesAndUnknownNames) {
                  "variant 'pagmo-cma' is unknown (did you mean 'pagmo-cmaes'?)", {});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core::nest

@@ -14,7 +14,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 Moments moments_of(const TriangleMesh& mesh) { return reference::mesh_moments(mesh).value; }
 
@@ -82,5 +82,5 @@ TEST(Axle, ThatDoesNotFitIsRefused) {
   expect_refusal([&] { (void)make_body(spec, test_device()); }, "a hole in the cut", {"air"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -19,7 +19,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A box of 20 x 10 x 5 mm with its corner at the origin, written as OFF.
 class BodyOfABox : public testing::Test {
@@ -305,5 +305,5 @@ TEST(Body, RefusesANegativeFineness) {
   refuses(spec, {"fineness -3", "ellipsoid", "expected >= 1"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -15,7 +15,7 @@
 #include "mesh/solid/check.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 const DebianMesh tetrahedron{"tetrahedron", "tetra.off", "for this test"};
 const std::string tetrahedron_off =
@@ -111,5 +111,5 @@ TEST(DebianMeshes, AreAllSolids) {
     EXPECT_NO_THROW(require_solid(read_debian_mesh(m), m.name)) << m.name;
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "body/test_meshes.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using std::numbers::pi;
 
@@ -348,5 +348,5 @@ TEST(Boat, ASealedCavityIsDry) {
   EXPECT_NEAR(hydrostatics(hollow, 3.5).dry, 8, 1e-12);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "mesh/solid/check.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 constexpr double pi = std::numbers::pi;
 const Box around{Vec3::Constant(-1.5), Vec3::Constant(1.5)};
@@ -75,5 +75,5 @@ TEST(Blend, JoinFillsTheSeamByAQuarterOfItsWidthAndNothingBeyond) {
   EXPECT_EQ(blend::meet(1, 1, 0.4), 1.1);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

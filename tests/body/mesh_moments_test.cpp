@@ -9,7 +9,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 class MeshMomentsOn : public testing::TestWithParam<bool> {
  protected:
@@ -118,5 +118,5 @@ TEST(MeshMomentsReference, AbsoluteSumsBoundTheValues) {
   for (int k = 0; k < 10; ++k) EXPECT_GE(sums.abs_sum[k], std::abs(sums.value[k])) << moment_names[k];
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

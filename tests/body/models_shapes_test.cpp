@@ -10,7 +10,7 @@
 #include "body/models.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 constexpr double pi = std::numbers::pi;
 
@@ -144,5 +144,5 @@ TEST(Models, OfTheTableHaveItsProportions) {  // [RayRep, table 1]
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -19,7 +19,7 @@
 #include "mesh/solid/check.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 Vec3 lowest_point(const TriangleMesh& mesh) {
   return *std::min_element(mesh.vertices.begin(), mesh.vertices.end(),
@@ -254,5 +254,5 @@ TEST(Bird, FillsTheGridAsThePaperCounts) {  // [RayRep, table 2]
   EXPECT_NEAR(count.columns, 6184 / 2, 0.03 * 6184 / 2);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "body/test_meshes.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// Every formula here is a few dozen operations on numbers no larger than the largest: 64 roundings.
 void expect_same(const Moments& got, const Moments& want) {
@@ -123,5 +123,5 @@ TEST(PrincipalAxes, OfATurnedBoxAreItsEdges) {
   EXPECT_NEAR(principal.tilt_degrees(), 0.25 * 180 / M_PI, 1e-10);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

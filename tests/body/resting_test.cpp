@@ -10,7 +10,7 @@
 #include "geometry/rotation.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 constexpr double round_off = 1e-12;
 
@@ -117,5 +117,5 @@ TEST(RestingPolygon, ABallThatIsCutFlatHasOne) {
   EXPECT_NEAR(resting_polygon(body_of(mesh, 48)).area, std::numbers::pi * (0.62 * 0.62 - 0.25), 0.02);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

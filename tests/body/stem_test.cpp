@@ -15,7 +15,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 double volume(const TriangleMesh& mesh) { return reference::mesh_moments(mesh).value[S1]; }
 
@@ -99,5 +99,5 @@ TEST(StemSpec, TakesWhatIsLeftOutFromTheOthers) {
   EXPECT_THROW((void)stem_of({.radius = NAN}), InputError);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "error.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// Coordinates of order one, a handful of roundings each.
 constexpr double round_off = 64 * 0x1p-53;
@@ -236,5 +236,5 @@ TEST(SupportPolygon, APointAnEdgeOrASliverIsNoBase) {
       << refusal(column(0.004), 50);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -14,7 +14,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(Device, ListsAtLeastOneDeviceAndNumbersThemInOrder) {
   const std::vector<device::Info> all = device::list();
@@ -189,5 +189,5 @@ TEST_P(RealBufferOn, PartialRowsCoverEveryElementWithWholeWorkGroups) {
 INSTANTIATE_TEST_SUITE_P(BothPrecisions, RealBufferOn, testing::Bool(),
                          [](const auto& p) { return p.param ? "single" : "standard"; });
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -16,7 +16,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -149,5 +149,5 @@ TEST_F(Program, OfEveryEmbeddedKernelBuildsInBothPrecisions) {
   EXPECT_EQ(cached().size(), stems.size() * (standard.single() ? 1 : 2));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "mesh/solid/check.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 GridSpec resolution(int n) {
   GridSpec spec;
@@ -219,5 +219,5 @@ TEST(Columns, RefuseAWallThatLeavesNoInterior) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

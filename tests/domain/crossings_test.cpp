@@ -9,7 +9,7 @@
 #include "error.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// Column centres at the multiples of 1/4 from -1/2 to 3/2, exactly.
 Grid quarter_grid() {
@@ -171,5 +171,5 @@ TEST(Crossings, OfAFineUprightTorusBalanceEverywhere) {
   EXPECT_TRUE(columns[at(grid, 0, 0)].empty());
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -15,7 +15,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 GridSpec resolution(int n) {
   GridSpec spec;
@@ -216,5 +216,5 @@ TEST(Exact, RefusesAWallThatLeavesNoInterior) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "error.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using Counts = std::array<int, 3>;
 
@@ -93,5 +93,5 @@ TEST(Grid, RefusesCountsOutsideWhatAVoxelIndexHolds) {
   EXPECT_NO_THROW((void)make_grid({{0, 0, 0}, {1, 1, 1}}, cells({2, 2, 2})));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "mesh/query/distance.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 struct Plain {
   std::vector<Interval> intervals;
@@ -88,5 +88,5 @@ TEST(Interior, OfABoxWhoseWallEndsOnCentresIsAsIfEveryVoxelWereAsked) {
     expect_as_if_every_voxel_were_asked(box, 32, {cells, Wall::cells});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "body/test_meshes.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 Grid grid_of(int nx, int ny, int nz) {
   Grid grid;
@@ -85,5 +85,5 @@ TEST(Octree, SharedFacesAreThoseThatNeighbouringCellsSee) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

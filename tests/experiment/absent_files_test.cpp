@@ -11,7 +11,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// Runs of which some name files that nobody has, in a folder of models that is empty.
 class AbsentFiles : public testing::Test {
@@ -141,5 +141,5 @@ TEST_F(AbsentFiles, AreNotModelsNorNamesThatNobodyKnows) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -3,7 +3,7 @@
 #include "experiment/recorded_runs.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 RunResult certified_result() {
   RunResult r = optimal_result();
@@ -38,5 +38,5 @@ TEST(CertificateTable, HasDashesForWhatWasNotCertifiedOrDidNotRun) {
       << text;
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "stopwatch.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(Child, EndsByItselfWithItsCodeAndItsLastWords) {
   const ChildEnd end =
@@ -50,5 +50,5 @@ TEST(Limits, AreToldFromOtherErrorsAndFromOtherLimits) {
   EXPECT_FALSE(is_limit({}, "more than 0 GB"));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include "error.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TimedRun run(const std::string& model, const std::string& solver, std::vector<double> seconds,
              double objective = 1) {
@@ -94,5 +94,5 @@ TEST(Compare, AFolderWithoutRecordsIsRefused) {
   EXPECT_THROW((void)timed_runs("no-such-folder"), InputError);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -17,7 +17,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 struct Literal {
   std::string model;
@@ -354,5 +354,5 @@ TEST(GapColumn, IsThereWhenARunIsCertified) {
   EXPECT_EQ(cell_of_column(recorded(certified), "gap_percent").text, Cell::none().text);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -15,7 +15,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 Experiment parse(const std::string& text) { return parse_experiment(text, "folder/trial.toml"); }
 
@@ -376,5 +376,5 @@ TEST(IpoptUntouched, SolvesTheSameGridsWithNothingOfOursWithinLimits) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "table/data_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A box of 2 x 4 x 6 body lengths about a centre off the origin, of mass 48 body masses.
 Moments box() { return box_moments({1, 2, 3}, {2, 4, 6}); }
@@ -77,5 +77,5 @@ TEST(InertiaTable, ShowsThePaperAloneBeforeTheRun) {
   EXPECT_EQ(tables.blocks[0].notes, "not run\n");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

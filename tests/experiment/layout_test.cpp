@@ -5,7 +5,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 Layout layout_of(const std::string& text) { return read_layout(toml::parse(text), "own", "own.toml"); }
 
@@ -79,5 +79,5 @@ TEST(Layout, RefusesWhatItCannotReadInOneLine) {
   refused("rows = ['model']", {"expected at least one"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

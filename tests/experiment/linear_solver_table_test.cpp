@@ -3,7 +3,7 @@
 #include "experiment/recorded_runs.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 RunResult result_by(const std::string& linear_solver, double seconds, double objective) {
   RunResult r = optimal_result();
@@ -40,5 +40,5 @@ TEST(LinearSolverTable, TakesARunWithoutTheOption) {
             "exact ellipsoid 40x26x26 rayrep 1300 | - - - | 0.040 20 2.00 | - | -");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 Tables two_blocks() {
   const auto sheet_with = [](const std::string& name) {
@@ -67,5 +67,5 @@ TEST(Markdown, WrapsLongNotesInsideTheirItem) {
   EXPECT_EQ(indented, 2);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

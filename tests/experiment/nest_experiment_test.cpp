@@ -13,7 +13,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// What a search over placements might have found.
 NestResult found(const NestConfig& config, double scale) {
@@ -251,5 +251,5 @@ TEST(NestExperiments, RefuseKeysOfSolvesAndWhatDoesNotFitWithTheLine) {
   refused("[[run]]\nouter = 'bear'", {"line 2", "with a search of the scale, expected a solve in every run"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

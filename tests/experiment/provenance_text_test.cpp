@@ -5,7 +5,7 @@
 #include "experiment/recorded_runs.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 std::string text_of_runs(const std::vector<RecordedRun>& runs) {
   Runs all;
@@ -46,5 +46,5 @@ TEST(ProvenanceText, KnowsNestings) {
   EXPECT_EQ(text_of_runs({run}), "device a nesting's; commit def5678; 2026-11-28");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -3,7 +3,7 @@
 #include "experiment/recorded_runs.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 Published printed() {
   return {"a paper",
@@ -70,5 +70,5 @@ TEST(PublishedTable, HasABlockALabelAndGivesNoSpeedForWhatDidNotConverge) {
             "ellipsoid 40x26x26 spin | 1300 0.500 ! 20 0.8 1.0e-10 yes | 1000 2 | +30.0 -");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

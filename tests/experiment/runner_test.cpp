@@ -18,7 +18,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -345,5 +345,5 @@ TEST_F(Runner, LeavesNoRecordOfARunInterruptedBetweenTwoTimedSolves) {
   EXPECT_FALSE(fs::exists(record(0)));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

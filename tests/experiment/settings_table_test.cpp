@@ -5,7 +5,7 @@
 #include "experiment/recorded_runs.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 RunResult with(const std::string& start, double seconds, double objective) {
   RunResult r = optimal_result({{"ipopt.max_iter", "300"}});
@@ -92,5 +92,5 @@ TEST(FormulationsTable, ComparesFormulationsOfOneBodyAndDomain) {
             "rayrep, bounds=midpoint optimal 20 2.00 4.00 1300 0.88 10.000 1.0e-10 yes -");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(Cell, RoundsForReadersAndKeepsAllDigitsForPrograms) {
   EXPECT_EQ(Cell::of(1.0 / 3, "{:.2f}").text, "0.33");
@@ -48,5 +48,5 @@ TEST(Tables, PutBlocksBelowEachOtherAndOneHeadingOverTheirCsv) {
   EXPECT_EQ(to_csv(tables), two_rows().csv_heading() + two_rows().csv_rows() + two_rows().csv_rows());
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

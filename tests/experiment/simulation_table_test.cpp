@@ -5,7 +5,7 @@
 #include "record/simulation_record.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 SimulatedBody simulated(const Moments& moments, const SpinCheckOptions& options, double length_mm) {
   SimulatedBody body;
@@ -41,5 +41,5 @@ TEST(SimulationTable, SetsAPartThatSpinsBesideItsSolidThatFalls) {
   EXPECT_LT(std::stod(row[12].data), 10);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

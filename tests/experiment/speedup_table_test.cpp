@@ -6,7 +6,7 @@
 #include "experiment/recorded_runs.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 RunResult result_of(const std::string& formulation, double seconds, double objective, double gap) {
   RunResult r = optimal_result();
@@ -70,5 +70,5 @@ TEST(SpeedupTable, FitsALineWithQuadrics) {
         << line;
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

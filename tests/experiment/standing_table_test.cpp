@@ -4,7 +4,7 @@
 #include "table/data_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 RunResult dinosaur() {
   RunResult r = optimal_result();
@@ -65,5 +65,5 @@ TEST(VoidsTable, ShowsAPublishedRowThatNoRunIsOfWithThePapersFiguresAlone) {
   EXPECT_TRUE(squeezed_line(spins, "-      dino").ends_with("| - -")) << "the paper's stands\n" << spins;
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

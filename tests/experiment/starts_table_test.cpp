@@ -6,7 +6,7 @@
 #include "table/data_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 RunResult start(const std::string& seed, double objective, int evaluations) {
   RunResult r = optimal_result({{"moment.seed", seed}});
@@ -59,5 +59,5 @@ TEST(StartsTable, SaysNothingOfATaskWithoutAResult) {
   EXPECT_EQ(squeezed_line(text, "heart top"), "heart top heart 40x26x26 1 0 - | - - - | - - - - | -") << text;
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

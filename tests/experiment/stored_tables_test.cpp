@@ -9,7 +9,7 @@
 #include "table/data_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -52,5 +52,5 @@ INSTANTIATE_TEST_SUITE_P(Experiments, StoredTables,
                                          "rayrep_table2", "spinit_slsqp", "spinit_standing", "spinit_teapot",
                                          "spinit_voids", "spinit_yoyo"));
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 const std::string file =
     "# A file\n"
@@ -80,5 +80,5 @@ TEST(TablePlaces, ThatCannotBeReadAreRefusedWithTheirLine) {
           "a.md: line 1: 'block=best', expected block=\"NAME\" or columns=\"NAME, NAME\"");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

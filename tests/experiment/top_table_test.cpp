@@ -6,7 +6,7 @@
 #include "table/data_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A square plate of 10 mm a length: solid at a height of 0.5 and 1 thick, written flat and low.
 RecordedRun plate(const std::string& problem, const std::map<std::string, std::string>& settings,
@@ -46,5 +46,5 @@ TEST(TopTable, OfYoyosHasNoSpeeds) {
             "teapot 40x26x26 yoyo rayrep 1.5h defaults 0.8 44.4 | 0.00 0.00 1.385 | 1.969 | yes");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -13,7 +13,7 @@
 #include "mesh/solid/self_intersections.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A box with a box-shaped cavity in it, turned.
 MaterialPart hollow_box(const Eigen::Matrix3d& turn) {
@@ -133,5 +133,5 @@ TEST(CutInHalves, RefusesAPlaneThatMisses) {
   EXPECT_THROW((void)cut_in_halves(solid, {}, {Vec3::UnitZ(), 2}, 1), InputError);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

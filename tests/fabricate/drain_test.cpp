@@ -15,7 +15,7 @@
 #include "mesh/solid/self_intersections.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TriangleMesh ball(double radius) { return moved(geodesic_sphere(12), Eigen::Scaling(radius)); }
 
@@ -71,5 +71,5 @@ TEST(Drain, IsNotDrilledWhereNothingLiesBehindTheWall) {
   EXPECT_TRUE(drains_of(outer, {}, 1, Vec3::UnitZ()).empty()) << "no void";
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "mesh/shapes.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A closed solid over [0, 1] x [0, 1] between two height fields.
 template <class Bottom, class Top>
@@ -77,5 +77,5 @@ TEST(HighPlaces, OfARingThatStandsIsItsTop) {
   EXPECT_NEAR(places[0][2], 4, 1e-12);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

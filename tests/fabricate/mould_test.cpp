@@ -16,7 +16,7 @@
 #include "mesh/solid/self_intersections.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 constexpr double pi = std::numbers::pi;
 
@@ -144,5 +144,5 @@ TEST(Castings, WithAVoidInsideAreRefused) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

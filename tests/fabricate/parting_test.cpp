@@ -9,7 +9,7 @@
 #include "mesh/shapes.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(Parting, OfABallIsAnyPlaneThroughItsMiddle) {
   const Parting parting = least_undercut(geodesic_sphere(12));
@@ -43,5 +43,5 @@ TEST(Parting, OfALetterIsAcrossItsStroke) {
   EXPECT_LT(parting.undercut, 0.3);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

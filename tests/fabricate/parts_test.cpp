@@ -10,7 +10,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 struct Densities {
   double shell, interior, voids;
@@ -119,5 +119,5 @@ TEST(Parts, WithoutVoidsOrWithoutFillLeaveThoseOut) {
             (std::vector<std::string>{"shell", "filling"}));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -18,7 +18,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 Body model(const char* name) {
   BodySpec spec;
@@ -189,5 +189,5 @@ TEST(QuadricCavity, RefusesACellThatIsThickerThanTheWall) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -13,7 +13,7 @@
 #include "mesh/solid/self_intersections.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// Sound: closed, outward when turned over, and not running through itself.
 void expect_solid(const TriangleMesh& void_of) {
@@ -108,5 +108,5 @@ TEST(SweptVoid, IsTheSameEveryTime) {
   EXPECT_EQ(one.triangles, other.triangles);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

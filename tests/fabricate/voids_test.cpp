@@ -10,7 +10,7 @@
 #include "fabricate/void_surface.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 const std::array<Vec3, 3> axes = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
 constexpr double round_off = 1e-12;  // sums of a few dozen products of numbers up to 10
@@ -124,5 +124,5 @@ TEST(Voids, OfVoxelsAreThoseThatHangTogetherByFaces) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "mesh/shapes.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(Wall, IsTheLeastDistanceOfTwoBoxes) {
   const TriangleMesh outer = box_mesh(Vec3::Zero(), Vec3::Constant(10));
@@ -39,5 +39,5 @@ TEST(Wall, IsInfiniteWithoutACavity) {
   EXPECT_TRUE(std::isinf(least_wall(box_mesh(Vec3::Zero(), Vec3::Ones()), {})));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -16,7 +16,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -131,5 +131,5 @@ TEST_F(ReplaceFile, GoesOnWithWhatIsOpenAlready) {
   ::close(open);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

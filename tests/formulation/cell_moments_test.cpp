@@ -6,7 +6,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// What moments_of() and a sum of boxes may be off by: 32 roundings of terms no larger than these.
 Moments tolerance(const Cube& cube, const CubeSums& sums) {
@@ -92,5 +92,5 @@ TEST_P(CellMomentsOn, OfNoCubesAreNone) { EXPECT_TRUE(kernel_({}).empty()); }
 
 INSTANTIATE_TEST_SUITE_P(, CellMomentsOn, testing::Bool());
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// Two intervals in many columns, rounding and a spacing that is no power of two.
 const Columns& torus() {
@@ -310,5 +310,5 @@ TEST(MakeFormulation, RefusesUnknownNamesAndUnfitSettings) {
           "formulation.units = cell; rayrep has no setting of that name (did you mean unit?)");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// Columns of one or two runs, most of them whole, on a grid that is no cube: shell in many places, and
 /// enough voxels for several threads.
@@ -110,5 +110,5 @@ TEST(Leaves, AreAgainWhatTheyWereWhenAllThatWasSplitIsMerged) {
   for (const Leaves::Family& family : leaves.siblings(8, always)) EXPECT_EQ(family.end - family.begin, 1u);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

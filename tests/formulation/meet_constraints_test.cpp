@@ -10,7 +10,7 @@
 #include "solve/test_tasks.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 const Columns& box() { return BoxDomain::columns(); }
 
@@ -80,5 +80,5 @@ TEST(MeetConstraints, KeepsTheSurfaceAManifold) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 std::unique_ptr<Formulation> make(const SettingTexts& settings = {}) {
   return make_formulation("octree", torus(), {}, settings, test_device());
@@ -196,5 +196,5 @@ TEST(OctreeFormulation, TellsItsSettingsAndRefusesUnfitOnes) {
     expect_refusal([&] { (void)make(wrong); }, "formulation." + wrong.begin()->first, {});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

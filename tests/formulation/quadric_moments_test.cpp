@@ -14,7 +14,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 Rays random_intervals(std::size_t count, Random& random) {
   Rays rays;
@@ -192,5 +192,5 @@ TEST(QuadricHessian, OfASlabCutByAPlaneIsClosedForm) {
   EXPECT_NEAR(got.hessian(SXX, S1), -0.5 / 3, 1e-15);                         // averaged over the columns
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

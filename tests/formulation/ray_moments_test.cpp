@@ -12,7 +12,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 struct Rays {
   std::vector<std::uint32_t> columns;
@@ -291,5 +291,5 @@ INSTANTIATE_TEST_SUITE_P(BothPrecisionsAndUnits, RayMomentsOn,
                                          Case{true, false}),
                          [](const auto& p) { return name_of(p.param); });
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// `count` cells all over the grid; cells may repeat, which sums do not mind.
 std::vector<std::uint32_t> random_cells(const Grid& grid, std::size_t count, Random& random) {
@@ -212,5 +212,5 @@ TEST_P(VoxelMomentsOn, PullBackIsLinearInItsWeights) {
 INSTANTIATE_TEST_SUITE_P(BothPrecisions, VoxelMomentsOn, testing::Bool(),
                          [](const auto& p) { return p.param ? "single" : "standard"; });
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "body/test_meshes.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A block of n voxels that is all interior.
 Columns block(const std::array<int, 3>& n) {
@@ -181,5 +181,5 @@ TEST(VoxelSet, NumbersVoxelsByIntervalAndUpwards) {
   EXPECT_EQ(moments(VoxelSet(domain, false)), Moments(Moments::Zero()));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -10,13 +10,14 @@
 
 #include "fuzz/feed.hpp"
 #include "mesh/io/format.hpp"
+#include "places.hpp"
 
 namespace kreisel::core::fuzz {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 
-const fs::path corpus = fs::path(KREISEL_SOURCE) / "tests" / "data" / "fuzz";
+const fs::path corpus = fs::path(source_folder) / "tests" / "data" / "fuzz";
 
 /// The libraries' own limits for one input are far above: sanitizers, and other work beside.
 constexpr double most_seconds = 20;
@@ -46,5 +47,5 @@ TEST(FuzzCorpus, IsReadOrRefused) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core::fuzz

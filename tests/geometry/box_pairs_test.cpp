@@ -9,7 +9,7 @@
 #include "body/test_meshes.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;
 
@@ -63,5 +63,5 @@ TEST(BoxPairs, OfBoxesAllAtOnePlaceAreAll) {
   EXPECT_EQ(overlapping(boxes).size(), 100u * 99 / 2);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

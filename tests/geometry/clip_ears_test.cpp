@@ -9,7 +9,7 @@
 #include "geometry/predicates.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using Points = std::vector<Vec2>;
 
@@ -86,5 +86,5 @@ TEST(ClipEars, RefusesAPolygonThatCrossesItself) {
   EXPECT_FALSE(clip_ears(Points{{0, 0}, {0, 2}, {2, 2}, {2, 0}}, count_to(4)));  // clockwise
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

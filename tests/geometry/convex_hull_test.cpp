@@ -8,7 +8,7 @@
 #include "geometry/predicates.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// Closed, no point beyond a facet (by exact signs), neighbours that know each other.
 void expect_hull(const ConvexHull& hull, const std::vector<Vec3>& points) {
@@ -69,5 +69,5 @@ TEST(ConvexHull, OfPointsInAPlaneHasNoFacets) {
   EXPECT_TRUE(convex_hull({}).facets.empty());
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 class CutTriangle : public ::testing::Test {
  protected:
@@ -107,5 +107,5 @@ TEST_F(CutTriangle, AThinOneAlongManyNearLines) {
   expect_filled(whole, cut(whole, segments));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

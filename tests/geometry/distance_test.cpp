@@ -7,7 +7,7 @@
 #include "body/test_meshes.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 const Vec3 a(0, 0, 0), b(4, 0, 0), c(0, 4, 0);
 
@@ -88,5 +88,5 @@ TEST(NearestOnSegment, IsTheFootOrAnEnd) {
   EXPECT_EQ(nearest_on_segment(Vec2(6, 4), from, from), from) << "a point";
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -13,7 +13,7 @@
 #include "geometry/predicates.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
@@ -102,5 +102,5 @@ TEST(FlipDelaunay, KeepsTheRim) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

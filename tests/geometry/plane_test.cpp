@@ -5,7 +5,7 @@
 #include "body/test_meshes.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(Plane, SaysOnWhichSideAPointLies) {
   const Plane plane{{0, 3, 4}, 10};
@@ -36,5 +36,5 @@ TEST(HalfView, SeesTheHalfAlongItsWay) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

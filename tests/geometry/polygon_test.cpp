@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A square of side 3 with a notch up to its middle: 9 - 3 * 1.5 / 2.
 const Polygon notched = {{0, 0}, {3, 0}, {3, 3}, {1.5, 1.5}, {0, 3}};
@@ -66,5 +66,5 @@ TEST(Cross, IsPositiveToTheLeft) {
   EXPECT_EQ(cross({1, 3}, {2, 0}), -6);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

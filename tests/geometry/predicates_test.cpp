@@ -7,7 +7,7 @@
 #include <random>
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 __extension__ typedef __int128 Wide;  // not ISO, but of every 64-bit GCC and Clang
 
@@ -85,5 +85,5 @@ TEST(Predicates, FindTheProjectionOfSliversAndNoneOfLines) {
   EXPECT_EQ(projection_axis(a, Vec3(1, 0, 0), Vec3(0, 1, 0.1)), 2);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "error.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 constexpr double round_off = 64 * 0x1p-52;  // nine entries, each of some six products of order one
 
@@ -77,5 +77,5 @@ TEST(SphereDirections, AreSpreadEvenly) {
   EXPECT_THROW((void)sphere_directions(0), InputError);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

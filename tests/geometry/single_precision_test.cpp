@@ -9,7 +9,7 @@
 #include "body/test_meshes.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(SinglePrecision, RoundsEveryCoordinateOfAListInPlace) {
   Random random(5);
@@ -25,5 +25,5 @@ TEST(SinglePrecision, RoundsEveryCoordinateOfAListInPlace) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

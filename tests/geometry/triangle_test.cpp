@@ -6,7 +6,7 @@
 #include "geometry/moved.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 const TriangleMesh mesh = {{{0, 0, 0}, {9, 9, 9}, {2, 0, 0}, {0, 3, 0}, {0, 0, 4}},
                            {{0, 2, 3}, {0, 3, 4}, {4, 2, 0}}};
@@ -56,5 +56,5 @@ TEST(Box, GrowsWithItsPoints) {
   EXPECT_EQ(plane.extent(), Eigen::Vector2d(2, 3));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core::nest {
-namespace {
+namespace THIS_FILE {
 
 constexpr std::array variants_of_tests = {"peel", "envelope", "exact", "hybrid"};
 
@@ -128,5 +128,5 @@ TEST(BadInput, NothingFreeIsASearchOfTheScaleAlone) {
                  {"> 0"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core::nest

@@ -14,7 +14,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// Closed, oriented, outward.
 void expect_outward(const TriangleMesh& mesh) {
@@ -104,5 +104,5 @@ TEST(OffsetSurface, RefusesWhatIsNoOffset) {
   expect_refusal([] { (void)offset_surface({}, 1, 1); }, "offset of a mesh without triangles", {});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

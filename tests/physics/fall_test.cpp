@@ -10,7 +10,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(TiltingPlane, TopplesABoxOverItsEdgesAndCorners) {
   const SupportPolygon base = hull_of({{-1, -2}, {1, -2}, {1, 2}, {-1, 2}});
@@ -37,5 +37,5 @@ TEST(YoyoFall, IsSlowerTheSlimmerTheAxle) {
   expect_refusal([&] { (void)yoyo_fall(s, 0); }, "an axle", {});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -15,7 +15,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 constexpr double pi = std::numbers::pi;
 // Steps of 0.15 radians of the fastest rate leave 1e-9 or so over some tens of turns.
@@ -232,5 +232,5 @@ TEST(Motion, RefusesWhatCannotMove) {
       "simulation", {"finite"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -12,7 +12,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(RightingArm, OfABoxFollowsTheWallSidedFormula) {
   // While deck and bottom stay out of the waterline: GZ = sin h (GM + BM tan^2 h / 2). [any naval
@@ -70,5 +70,5 @@ TEST(RightingArm, RefusesWhatSinks) {
   expect_refusal([&] { (void)righting_arm({box, Vec3(0.5, 0.5, 0.5), 0}, 0); }, "righting arm", {});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 const Moments top = moments_of(0.4, 0.6, {0.08, 0.08, 0.12});
 
@@ -68,5 +68,5 @@ TEST(CheckSpin, RefusesOptionsInOneLine) {
   refused([](auto& o) { o.scan_rpm = {100, NAN}; }, "a speed of nan");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -15,7 +15,7 @@
 #include "physics/units.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -192,5 +192,5 @@ TEST(Units, OneIsTheRootOfLengthOverGravity) {
   EXPECT_NEAR(rpm_per_unit(9806.65), 60 / (2 * std::numbers::pi), 1e-12);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

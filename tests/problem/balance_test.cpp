@@ -9,7 +9,7 @@
 #include "problem/differences.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 constexpr double round_off = 64 * 0x1p-53;  // numbers of order one, a handful of roundings each
 
@@ -108,5 +108,5 @@ TEST(MakeBalance, RefusesUnfitSettings) {
                  "problem.lime = 0,0,1; balance has no setting of that name (did you mean line?)");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

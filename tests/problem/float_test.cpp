@@ -9,7 +9,7 @@
 #include "problem/differences.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 constexpr double round_off = 64 * 0x1p-53;  // numbers of order one, a handful of roundings each
 constexpr double length_mm = 50;
@@ -188,5 +188,5 @@ TEST(Float, ALoadIsPartOfWhatFloats) {
                    std::string("problem.load = ") + text + "; expected grams");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "domain/test_bodies.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// Of a box of 2 x 1 x 0.5 about (0, 0, 0.25) in the body frame, whose x is the model's y, y its z, z its x.
 Body lying_box() {
@@ -52,5 +52,5 @@ TEST(RayDirection, IsOpenInNoOtherProblem) {
     EXPECT_EQ(static_cast<bool>(entry.rays), open.contains(entry.name)) << entry.name;
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

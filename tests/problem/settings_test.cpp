@@ -6,7 +6,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(ProblemSettings, OfTheRegistryAreThoseThatEachProblemTakes) {
   const std::map<std::string_view, SettingTexts> valid = {
@@ -53,5 +53,5 @@ TEST(ProblemSettings, OfADraftKeepTheirUnit) {
         fmt::format("problem.draft = '{}'; expected", draft), {"60%", "40g", "solid", "auto"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "problem/differences.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 Eigen::Matrix3d about_x(double degrees) {
   return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, Vec3::UnitX()).toRotationMatrix();
@@ -242,5 +242,5 @@ TEST(MakeProblem, RefusesUnknownNamesAndUnfitSettings) {
   refuses("spin", {{"lambda", "nan"}}, "problem.lambda = 'nan'");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

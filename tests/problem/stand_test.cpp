@@ -9,7 +9,7 @@
 #include "problem/differences.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 constexpr double round_off = 64 * 0x1p-53;  // numbers of order one, a handful of roundings each
 
@@ -203,5 +203,5 @@ TEST(MakeStand, RefusesUnfitSettingsAndBodies) {
   EXPECT_TRUE(make_problem("stand", {}, body)->impossible().empty());
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

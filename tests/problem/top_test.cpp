@@ -11,7 +11,7 @@
 #include "problem/yoyo.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 constexpr double round_off = 256 * 0x1p-53;  // quotients of sums of a few dozen products
 constexpr Lower all_lower[] = {Lower::mass, Lower::height, Lower::none};
@@ -135,5 +135,5 @@ TEST(MakeTop, RefusesWhatMakesNoSense) {
   expect_refused("yoyo", {}, body_of(box_mesh({-0.5, -0.5, 0.1}, {0.5, 0.5, 1})), "axle's centre 0,0,0");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "problem/spin.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A product with a 10 x 10 matrix of numbers up to ten, and what made it: a few hundred roundings at most.
 constexpr double round_off = 1024 * 0x1p-53;
@@ -119,5 +119,5 @@ TEST(Turned, PassesTheNextProblemOn) {
   EXPECT_EQ(second->next(s), nullptr);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

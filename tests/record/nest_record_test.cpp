@@ -13,7 +13,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A sphere in an ellipsoid, in files.
 class NestRecord : public testing::Test {
@@ -158,5 +158,5 @@ TEST_F(NestRecord, RefusesOtherFilesAndCheckpointsOfOtherSearches) {
   expect_refusal([&] { (void)run_nest(config_, keeping); }, "a checkpoint that does not fit", {"2 swarms"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

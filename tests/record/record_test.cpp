@@ -15,6 +15,7 @@
 
 #include "error.hpp"
 #include "installed.hpp"
+#include "places.hpp"
 #include "record/hdf5_file.hpp"
 #include "record/records_in.hpp"
 #include "record/schema.hpp"
@@ -22,7 +23,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -166,7 +167,7 @@ TEST_F(RunRecord, GivesBackWhatWasWritten) {
 /// Files as earlier versions wrote them: first_run.h5 as the first did, without voids, materials, the memory
 /// and time of the whole, and what a solve says beside its numbers.
 TEST_F(RunRecord, OfAnEarlierVersionIsReadAndWhatItLacksIsUnknown) {
-  const fs::path folder = fs::path(KREISEL_SOURCE) / "tests/data/records";
+  const fs::path folder = fs::path(source_folder) / "tests/data/records";
   const nlohmann::json first = read_record(folder / "first_run.h5").summary;
   EXPECT_EQ(first.at("termination"), "optimal");
   EXPECT_EQ(first.at("model"), "bird");
@@ -486,7 +487,7 @@ TEST_F(RunRecord, IsReadByH5py) {
   KREISEL_NEEDS(imports("h5py"), "h5py");
   const char* kept = std::getenv("KREISEL_TEST_RECORD");
   const fs::path path = kept != nullptr && *kept != '\0' ? fs::path(kept) : folder_.path / "run.h5";
-  const fs::path script = fs::path(KREISEL_SOURCE) / "tests/record/h5py_test.py";
+  const fs::path script = fs::path(source_folder) / "tests/record/h5py_test.py";
   const std::string command = python + " '" + script.string() + "' '" + path.string() + "'";
   RunResult angle = made_by_hand();
   angle.outcome.auxiliary = {0.3};
@@ -496,5 +497,5 @@ TEST_F(RunRecord, IsReadByH5py) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

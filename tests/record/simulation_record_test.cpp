@@ -10,7 +10,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 class SimulationRecord : public testing::Test {
  protected:
@@ -85,5 +85,5 @@ TEST_F(SimulationRecord, HoldsFailuresAndRefusesWhatDoesNotMove) {
                  {"spin, top, yoyo, stand, float"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -5,7 +5,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A value for every field that is not its default.
 const std::map<std::string_view, std::string_view> others = {
@@ -167,5 +167,5 @@ TEST(NestConfig, RefusesWhatDoesNotFitTogether) {
   EXPECT_NO_THROW(require_valid(with({{"outer", "bear"}, {"free", "all"}, {"iterations", "0"}})));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "run/nest_run.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 NestConfig layers_of_a_ball() {
   return make_nest({{"outer", "in words"},
@@ -54,5 +54,5 @@ TEST(NestHooks, KeepAndGoOnWithASearchOverPlacementsAlone) {
                  {});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

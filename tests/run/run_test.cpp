@@ -9,7 +9,7 @@
 #include "table/data_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(Run, IsOfTheKindThatItsFieldsSay) {
   const auto kind = [](const std::vector<std::string_view>& names, bool nesting = false) {
@@ -108,5 +108,5 @@ TEST(Run, IsNamedAsEverBefore) {
             "ellipsoid-64-spin-quadric-moment-77a40bce");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -12,7 +12,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 class FindPose : public ::testing::Test {
  protected:
@@ -220,5 +220,5 @@ TEST(FreePose, IsPartOfWhatARunIs) {
   EXPECT_FALSE(third.free) << "a direction takes its place";
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 OrientationMap map_of(const MapSpec& spec) {
   Session session;
@@ -209,5 +209,5 @@ TEST_F(Map, RefusesWhatItCannotMap) {
   EXPECT_THROW((void)map_of({MapRun(config), {Vec3::UnitZ()}, {}}), InputError);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

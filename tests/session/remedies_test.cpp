@@ -10,7 +10,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 RunConfig config_of(double wall) {
   RunConfig config;
@@ -110,5 +110,5 @@ TEST(WhatWouldHelp, KnowsLighterVoids) {
   EXPECT_NEAR(number_after(text, "voids of "), 0.5, 0.03) << text;
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "session/solved_run.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using Made = std::vector<std::string_view>;
 
@@ -202,5 +202,5 @@ TEST(Sessions, InEightThreadsGiveTheSameBitsAsInSequence) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -199,5 +199,5 @@ TEST(ArrowShape, OfNothingIsEmpty) {
   for (const auto& blocks : shape->blocks) EXPECT_TRUE(blocks.empty());
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "body/test_meshes.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(CentralPath, OfOneVariableIsTheRootOfItsQuadratic) {
   // barrier / x - barrier / (1 - x) = slope has a closed form.
@@ -53,5 +53,5 @@ TEST(CentralPath, MakesTheGradientOfTheBarrierProblemVanish) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -14,7 +14,7 @@
 #include "solve/certify_spin.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(SafeSupport, IsTheReferenceUpToItsMargin) {
   const Case on = top();
@@ -231,5 +231,5 @@ TEST(MomentSolver, ReachesTheCertifiedOptimumFromRandomStarts) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

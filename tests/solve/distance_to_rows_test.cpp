@@ -8,7 +8,7 @@
 #include "solve/test_tasks.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// The box of BoxDomain without a shell: all that is there is its interior, of mass `area * height`.
 class Distance : public ::testing::Test {
@@ -75,5 +75,5 @@ TEST_F(Distance, OfRowsWithARangeIsToItsNearerEnd) {
   EXPECT_NEAR(to(rows).attained, 0.5, 1e-9);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -10,7 +10,7 @@
 #include "solve/ways.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 constexpr double area = BoxDomain::area, bottom = BoxDomain::base, whole = area * BoxDomain::height;
 const Moments mass_form = Moments::Unit(S1), height_form = Moments::Unit(SZ), x_form = Moments::Unit(SX);
@@ -104,5 +104,5 @@ TEST_P(Explain, AFloatThatIsTooHeavySaysByHowMuch) {
 INSTANTIATE_TEST_SUITE_P(Ways, Explain, testing::ValuesIn(ways()),
                          [](const auto& p) { return name_of(p.param); });
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

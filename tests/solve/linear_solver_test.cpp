@@ -9,7 +9,7 @@
 #include "solve/solver.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 struct Asked {
   std::string problem;
@@ -159,5 +159,5 @@ TEST(LinearSolver, CalledMa27IsNotInstalled) {
   EXPECT_THROW(static_cast<void>(solved(spin_by("voxel"), "ma27")), InputError);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "solve/ways.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 constexpr double whole = BoxDomain::area * BoxDomain::height;  // mass of the domain
 const Moments mass_form = Moments::Unit(S1), height_form = Moments::Unit(SZ);
@@ -173,5 +173,5 @@ TEST(SolveInSequence, StopsAtAStepThatFails) {
 
 TEST(SolveInSequence, GivesUpAfterFiftySteps) { EXPECT_EQ(run(1000).steps, 50); }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

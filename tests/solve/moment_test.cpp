@@ -18,7 +18,7 @@
 #include "solve/test_tasks.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 struct Solved {
   Outcome outcome;
@@ -278,5 +278,5 @@ TEST(MomentSolver, FillsABoxFromBelow) {
   EXPECT_NEAR(outcome.objective, BoxDomain::lowest_rays(0.3 / BoxDomain::area), 1e-14);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

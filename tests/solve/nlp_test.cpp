@@ -13,7 +13,7 @@
 #include "solve/test_tasks.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -386,5 +386,5 @@ INSTANTIATE_TEST_SUITE_P(Forms, NlpOf, testing::ValuesIn(kinds()), named);
 INSTANTIATE_TEST_SUITE_P(Forms, NlpOfMargin, testing::ValuesIn(kinds_of(true)), named);
 INSTANTIATE_TEST_SUITE_P(Forms, NlpOfRows, testing::ValuesIn(kinds_of(false)), named);
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

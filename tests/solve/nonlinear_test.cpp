@@ -16,7 +16,7 @@
 #include "solve/test_tasks.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 const MassModel shell_of_nothing{Moments::Zero(), 1};
 
@@ -218,5 +218,5 @@ TEST(MovingVariables, HaveNoExactHessian) {
   EXPECT_THROW(require_form(find_solver("moment", "quadric"), formulation), InputError);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -12,7 +12,7 @@
 #include "solve/ways.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 constexpr double area = BoxDomain::area, bottom = BoxDomain::base, top = bottom + BoxDomain::height;
 
@@ -223,5 +223,5 @@ TEST_P(Optimum, OfTheTiltIsThatOfABisection) {
 INSTANTIATE_TEST_SUITE_P(Ways, Optimum, testing::ValuesIn(ways()),
                          [](const auto& p) { return name_of(p.param); });
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "solve/test_tasks.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A base whose centroid is at (x, y).
 Stand over(double x, double y) {
@@ -141,5 +141,5 @@ TEST(PlaneSweep, IsRefusedForOtherProblems) {
   EXPECT_NO_THROW(require_problem(find_solver("plane-sweep", "voxel"), "stand"));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

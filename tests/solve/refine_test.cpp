@@ -5,7 +5,7 @@
 #include "solve/ways.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 std::unique_ptr<Formulation> make(const Case& on, const std::string& name,
                                   const SettingTexts& settings = {}) {
@@ -83,5 +83,5 @@ TEST(Refine, BeginsAgainFromCoarseCellsWithEverySolve) {
   EXPECT_EQ(once.x, twice.x);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

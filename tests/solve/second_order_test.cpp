@@ -18,7 +18,7 @@
 #include "solve/test_tasks.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using Answer = LocalMinimum::Answer;
 
@@ -246,5 +246,5 @@ TEST(SecondOrder, TellsASaddleFromAMinimumOfAFamilyThatForks) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

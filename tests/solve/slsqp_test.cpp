@@ -10,7 +10,7 @@
 #include "solve/certified_cases.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 std::unique_ptr<Formulation> octree(const Columns& domain, const SettingTexts& settings = {}) {
   return make_formulation("octree", domain, {}, settings, test_device());
@@ -99,5 +99,5 @@ TEST(Slsqp, RefusesOptionsThatItDoesNotKnow) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

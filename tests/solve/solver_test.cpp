@@ -10,7 +10,7 @@
 #include "solve/test_tasks.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 const char* const exact = "exact";
 const char* const lbfgs = "limited-memory";
@@ -269,5 +269,5 @@ TEST(Termination, HasANameForEveryCase) {
   EXPECT_EQ(to_string(Termination::interrupted), "interrupted");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

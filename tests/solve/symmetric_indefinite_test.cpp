@@ -5,7 +5,7 @@
 #include <random>
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -91,5 +91,5 @@ TEST(SymmetricIndefinite, SaysThatAMatrixIsSingular) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -14,7 +14,7 @@
 #include "solve/ways.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A square box about a height, in cells of 1/8 with one of wall, and what is fixed: a plate in its middle.
 /// By symmetry Jxx = Jyy, and the optimal quadric is z^2 < k^2 (x^2 + y^2): a double cone is cut out. With
@@ -199,5 +199,5 @@ TEST(MomentSolver, SolvesTopsOfABodyOfRevolution) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "mesh/solid/check.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 class Dialects : public MeshFolder {
  protected:
@@ -267,5 +267,5 @@ TEST(DigitsOfAFile, AreThoseOfFloatsWhereAllAreFloats) {
   EXPECT_EQ(twice.weld(1), 4 * std::numeric_limits<double>::epsilon());
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "mesh/solid/solid.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using Outline = std::vector<std::array<double, 2>>;
 
@@ -158,5 +158,5 @@ TEST_F(PolygonFiles, NearlyPlaneQuadsOfAConcaveKindStayWithin) {
   for (const Triangle& t : mesh.triangles) EXPECT_TRUE(std::ranges::find(t, 2u) != t.end());
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

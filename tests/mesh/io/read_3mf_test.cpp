@@ -6,7 +6,7 @@
 #include "mesh/threemf_package.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using namespace threemf_package;
 
@@ -79,5 +79,5 @@ TEST_F(Read3mf, SaysInOneLineWhyAPackageIsRefused) {
     refuses(file("cut.3mf", whole.substr(0, whole.size() / part)), {"ZIP"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -9,7 +9,7 @@
 #include "mesh/mesh_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 class ReadPly : public MeshFolder {};
 
@@ -134,5 +134,5 @@ TEST_F(ReadPly, SaysWhatIsWrongWithAHeader) {
           {"'none'", "no property"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "mesh/solid/check.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 class ReadMesh : public MeshFolder {};
 
@@ -204,5 +204,5 @@ TEST_F(ReadMesh, WritesNothingToStandardError) {
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "mesh/threemf_package.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using namespace threemf_package;
 
@@ -164,5 +164,5 @@ TEST_F(Slicer3mf, SaysWhatWasLeftOutWhereNothingIsLeft) {
   refuses(file("a.3mf", package(resources(object(1, "support")) + build(item))), {"no triangles", "support"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -11,7 +11,7 @@
 #include "mesh/solid/check.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 namespace fs = std::filesystem;
 
@@ -151,5 +151,5 @@ INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip,
                                            std::pair{".off", 0.0}),
                          [](const auto& format) { return std::string(format.param.first).substr(1); });
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -12,7 +12,7 @@
 #include "mesh/solid/check.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 Moments moments_of(const TriangleMesh& mesh) { return reference::mesh_moments(mesh).value; }
 
@@ -81,5 +81,5 @@ TEST(CutPlane, MakesABlindHoleInTheCut) {
       << "in the torus' own hole";
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

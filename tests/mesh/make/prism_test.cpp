@@ -9,7 +9,7 @@
 #include "mesh/solid/check.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(Prism, OverACircleIsASolidOfThePolygonsArea) {
   constexpr int sides = 24;
@@ -23,5 +23,5 @@ TEST(Prism, OverACircleIsASolidOfThePolygonsArea) {
   EXPECT_LT((centre_of_mass(s) - Vec3(5, -3, 1)).norm(), 1e-12 * 100);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

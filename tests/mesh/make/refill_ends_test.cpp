@@ -8,7 +8,7 @@
 #include "mesh/solid/self_intersections.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(RefillEnds, MendsAnEdgeOnTheWrongSideOfACorner) {
   // A dart whose notch comes near to the opposite edge; its end is cut by a fan that does not see the notch.
@@ -46,5 +46,5 @@ TEST(RefillEnds, LeavesAnEndWithACornerInside) {
   EXPECT_NO_THROW(require_solid(pyramid, "pyramid"));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

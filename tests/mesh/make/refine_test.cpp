@@ -9,7 +9,7 @@
 #include "mesh/solid/check.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(SplitEdges, LeavesTheSolidAsItIs) {
   TriangleMesh mesh = box_mesh({0, 0, 0}, {4, 2, 1});
@@ -29,5 +29,5 @@ TEST(SplitEdges, LeavesTheSolidAsItIs) {
       EXPECT_FALSE(too_long(mesh.vertices[t[i]], mesh.vertices[t[(i + 1) % 3]]));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "geometry/distance.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 double brute_force(const TriangleMesh& mesh, const Vec3& p) {
   double best = std::numeric_limits<double>::infinity();
@@ -77,5 +77,5 @@ TEST(SurfaceDistance, OnAVertexIsZero) {
   for (const Vec3& v : mesh.vertices) EXPECT_EQ(distance(v, 1), 0);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

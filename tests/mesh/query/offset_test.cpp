@@ -10,7 +10,7 @@
 #include "mesh/query/distance.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using Lines = std::vector<std::vector<Span>>;
 
@@ -267,5 +267,5 @@ TEST(Offset, DoesNotDependOnHowTheMeshIsCut) {
     expect_spans(left_of(fan, 0.15, x, 0.4, 0, 1), left_of(box, 0.15, x, 0.4, 0, 1));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -8,7 +8,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// Corner at the origin, legs of length 2: volume 8/6.
 TriangleMesh tetrahedron() {
@@ -82,5 +82,5 @@ TEST(Check, MeasuresASphereFarFromTheOrigin) {
   EXPECT_NO_THROW(require_solid(far, "sphere"));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -12,7 +12,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 
@@ -87,5 +87,5 @@ TEST(CloseHoles, ALongRimTakesItsOutline) {
   EXPECT_TRUE(inspect(mesh).watertight());
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -7,7 +7,7 @@
 #include "mesh/solid/check.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 TEST(Shells, MeasureABox) {
   const auto all = shells(box_mesh({1, 2, 3}, {3, 5, 7}));
@@ -81,5 +81,5 @@ TEST(Nesting, LooksAtTheSurfaceNotAtTheBox) {
   EXPECT_EQ(enclosing_shells(mesh, shells(mesh)), (Lists{{}, {}, {0}}));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

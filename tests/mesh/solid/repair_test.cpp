@@ -11,7 +11,7 @@
 #include "mesh/solid/self_intersections.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using Lines = std::vector<std::string>;
 
@@ -170,5 +170,5 @@ TEST(Repair, LeavesEdgesWhoseTrianglesLieOnEachOther) {
   EXPECT_GT(inspect(repaired(soup(glued), report)).crowded.count, 0u);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -12,7 +12,7 @@
 #include "mesh/shapes.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;
 
@@ -152,5 +152,5 @@ TEST(EqualVertices, NamesTheFirstOfEachPlace) {
             (std::vector<std::uint32_t>{0, 1, 0, 3, 1}));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

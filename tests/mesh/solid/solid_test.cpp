@@ -11,7 +11,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 void refuses(const TriangleMesh& mesh, const std::vector<std::string>& parts) {
   expect_refusal([&] { (void)make_solid(mesh, "part.stl"); }, "part.stl: ", parts);
@@ -151,5 +151,5 @@ TEST(MakeSolid, MendsEveryHeapOfCellsThatTouchAlongEdgesAndCorners) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

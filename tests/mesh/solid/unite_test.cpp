@@ -18,7 +18,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 const TriangleMesh cube = box_mesh({0, 0, 0}, {3, 3, 3});
 
@@ -222,5 +222,5 @@ TEST(Unite, CoordinatesOfSinglePrecisionStayThat) {
   for (const Vec3& v : united->mesh.vertices) EXPECT_EQ(v, in_single_precision(v));
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

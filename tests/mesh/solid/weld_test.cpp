@@ -6,7 +6,7 @@
 #include "mesh/solid/repair.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 /// A box whose every triangle has corners of its own, each moved by `noise` in another direction.
 TriangleMesh box_soup(const Vec3& at, const Vec3& extent, double noise) {
@@ -81,5 +81,5 @@ TEST(Weld, WorksAtAnySizeOfNumbers) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -6,7 +6,7 @@
 #include "nest/known_answers.hpp"
 
 namespace kreisel::core::nest {
-namespace {
+namespace THIS_FILE {
 
 TEST(LargestNear, RaisesAScaleThatHoldsAndLowersOneThatDoesNot) {
   InsideBall exact;
@@ -47,5 +47,5 @@ TEST(CertifyScale, MissesNoScaleBetweenOthersThatDoNotHold) {
   EXPECT_EQ(none.scale, 0);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core::nest

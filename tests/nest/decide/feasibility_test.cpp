@@ -12,7 +12,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core::nest {
-namespace {
+namespace THIS_FILE {
 
 TEST(Feasibility, SampledAt512GivesTheKnownAnswers) {
   for (const KnownAnswer& known : known_answers()) {
@@ -247,5 +247,5 @@ TEST(Feasibility, WorksAtTheEndsOfResolutionAndSize) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core::nest

@@ -10,7 +10,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core::nest {
-namespace {
+namespace THIS_FILE {
 
 TEST(ExactFeasibility, GivesTheKnownAnswers) {
   for (const KnownAnswer& known : known_answers()) {
@@ -181,5 +181,5 @@ TEST(ScaleSearch, SampledIsOptimisticByLessThanAPixelsWorthOnSmoothShapes) {
   }
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core::nest

@@ -12,7 +12,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core::nest {
-namespace {
+namespace THIS_FILE {
 
 constexpr double pi = std::numbers::pi;
 
@@ -222,5 +222,5 @@ TEST(Landscape, RefusesWhatIsNone) {
   expect_refusal([&] { (void)plane_shapes(square(1), horseshoe); }, "the inner shape's centroid", {});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core::nest

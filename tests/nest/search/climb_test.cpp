@@ -8,7 +8,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core::nest {
-namespace {
+namespace THIS_FILE {
 
 ClimbState climbed(Objective& objective, std::vector<double> x, double value, const ClimbOptions& options) {
   const Climb climb(objective, options);
@@ -81,5 +81,5 @@ TEST(Climb, NeverFallsAndRefusesUnfitOptions) {
   expect_refusal([&] { Climb(valley, options); }, "climb: offspring = 0", {"at least one"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core::nest

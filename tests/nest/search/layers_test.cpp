@@ -11,7 +11,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core::nest {
-namespace {
+namespace THIS_FILE {
 
 LayersSpec quick(double size, Tolerances tolerances) {
   LayersSpec spec;
@@ -148,5 +148,5 @@ TEST(Clearance, IsThatOfTheWholeWayOut) {
   EXPECT_NEAR(at_cut(0.6), 0.4, 0.0015) << "on its way up and out the lid is nearest";
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core::nest

@@ -12,7 +12,7 @@
 #include "test_device.hpp"
 
 namespace kreisel::core::nest {
-namespace {
+namespace THIS_FILE {
 
 OptimiseSpec quick(std::string_view free) {
   OptimiseSpec spec;
@@ -122,5 +122,5 @@ TEST(Optimise, StartsDeepInsideAndRefusesUnknownNamesAndForeignCheckpoints) {
                  {"did you mean 'hybrid'"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core::nest

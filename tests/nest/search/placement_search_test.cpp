@@ -11,7 +11,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core::nest {
-namespace {
+namespace THIS_FILE {
 
 /// Of a ball in a unit ball that is cut through its centre: 1 - |c|. As a real search, it gives up when that
 /// is not above what it is told.
@@ -169,5 +169,5 @@ TEST(KeepOut, ForbidsPlanesThatPartTheSurfaceInABall) {
   expect_refusal([&] { KeepOuts(nesting, {{Vec3::Zero(), 0.1}}); }, "keep-out at", {"no vertex"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core::nest

@@ -9,7 +9,7 @@
 #include "nest/decide/random.hpp"
 
 namespace kreisel::core::nest {
-namespace {
+namespace THIS_FILE {
 
 const Space mixed({{Block::number, -2, 5}, {Block::direction}, {Block::rotation}});
 
@@ -71,5 +71,5 @@ TEST(Space, MovesByTurnsWhoseAngleIsTheStep) {
   EXPECT_NEAR(x[7], std::sin(0.15), 1e-15);
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core::nest

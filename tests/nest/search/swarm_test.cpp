@@ -10,7 +10,7 @@
 #include "refusal.hpp"
 
 namespace kreisel::core::nest {
-namespace {
+namespace THIS_FILE {
 
 Target mixed_target(double wall = -1e9) {
   const double half = std::sqrt(0.5);
@@ -198,5 +198,5 @@ TEST(Swarm, RefusesUnfitOptionsByName) {
                  {"global, ring, von-neumann, random"});
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core::nest
