@@ -187,7 +187,7 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
     design.drain_radius = spec.drain_radius;
     control.tell("measure the walls");
     design.wall = least_wall(design.part.outer, design.part.cavity);
-    design.thinnest = thinnest_material(design.part.outer, design.part.cavity);
+    design.thinnest = thinnest_material(design.part.outer, design.part.cavity, spec.printer_accuracy);
   }
   written.keep();
   design.run = std::move(run.result);

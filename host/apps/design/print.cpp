@@ -118,7 +118,7 @@ void print_design(const Design& d) {
   if (std::isfinite(d.wall))
     fmt::print("  wall       {:.4f} mm at the thinnest, asked for {:.4f}\n", d.wall, r.wall * r.length_mm);
   if (d.thinnest.thickness < d.printer_accuracy)
-    fmt::print("  thin       {:.4f} mm of material between voids at {} mm, less than the printer's {:.2f}\n",
+    fmt::print("  thin       {:.4f} mm of material next to a void at {} mm, less than the printer's {:.2f}\n",
                d.thinnest.thickness, text(d.thinnest.at, 2), d.printer_accuracy);
   fmt::print("  voids      {}\n", r.voids.text());
   for (const Drain& drain : d.drains)
