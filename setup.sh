@@ -14,6 +14,7 @@ packages=(
   libmuparser-dev                                                     # arithmetic in columns of tables
   libarchive-dev                                                      # packs and unpacks 3MF packages, and the real meshes
   libexpat1-dev                                                       # XML of 3MF packages
+  zlib1g-dev                                                          # compresses what a page holds
   coinor-libipopt-dev libopenblas0-pthread                            # Ipopt with MUMPS; OpenBLAS speeds MUMPS up
   libnlopt-dev                                                        # SLSQP, for small octrees
   libpagmo-dev                                                        # swarms to compare ours with

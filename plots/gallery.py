@@ -24,6 +24,7 @@ def still(browser, page, view, folder):
     shot = pathlib.Path(folder) / "still.png"
     subprocess.run([browser, "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
                     f"--user-data-dir={folder}/profile", f"--window-size={WIDTH},{HEIGHT}",
+                    "--virtual-time-budget=20000",  # a page unpacks itself before it draws
                     f"--screenshot={shot}", f"file://{pathlib.Path(page).resolve()}#picture&{view}"],
                    check=True, capture_output=True)
     return plt.imread(shot)

@@ -3,44 +3,29 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <bit>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <string_view>
+#include <vector>
 
+#include "design/packed_mesh.hpp"
 #include "error.hpp"
 #include "geometry/single_precision.hpp"
 
 namespace kreisel::core {
 namespace {
 
-std::string base64(const std::vector<std::uint32_t>& words) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const std::size_t bytes = 4 * words.size();
-  const auto byte = [&](std::size_t i) { return i < bytes ? words[i / 4] >> (8 * (i % 4)) & 255u : 0u; };
-  std::string text;
-  text.reserve((bytes + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes; i += 3) {
-    const std::uint32_t three = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
-    for (int k = 0; k < 4; ++k)
-      text += i + static_cast<std::size_t>(k) > bytes ? '=' : digits[three >> (18 - 6 * k) & 63u];
-  }
-  return text;
-}
-
-/// Little-endian floats and indices. @param origin  what positions are about  @param skin  the page can hide
-/// it
+/// @param origin  what places are about  @param skin  the page can hide it
 std::string surface(const TriangleMesh& mesh, const Vec3& origin, std::string_view colour,
                     bool skin = false) {
-  std::vector<std::uint32_t> positions, indices;
-  positions.reserve(3 * mesh.vertices.size());
-  for (const Vec3& v : mesh.vertices)
-    for (const float x : (v - origin).cast<float>()) positions.push_back(std::bit_cast<std::uint32_t>(x));
-  indices.reserve(3 * mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) indices.insert(indices.end(), t.begin(), t.end());
-  return fmt::format(R"({{"colour": "{}", "skin": {}, "positions": "{}", "indices": "{}"}})", colour, skin,
-                     base64(positions), base64(indices));
+  const PackedMesh small = packed(mesh);
+  std::vector<std::uint8_t> bytes = small.links;
+  bytes.insert(bytes.end(), small.places.begin(), small.places.end());
+  return fmt::format(
+      R"({{"colour": "{}", "skin": {}, "corners": {}, "triangles": {}, "low": [{}], "step": {}, "packed": "{}"}})",
+      colour, skin, small.corners, small.triangles, fmt::join(Vec3(small.low - origin), ", "), small.step,
+      compressed_text(bytes.data(), bytes.size()));
 }
 
 void replace(std::string& text, std::string_view mark, const std::string& with) {
@@ -65,7 +50,7 @@ std::string page(const std::string& bodies, const Vec3& origin, const std::strin
   replace(text, "@BODIES@", bodies);
   replace(text, "@ORIGIN@", fmt::format("[{}]", fmt::join(origin, ", ")));
   replace(text, "@REPORT@", within_script(report));
-  replace(text, "@THREE@", three);
+  replace(text, "@THREE@", compressed_text(three.data(), three.size()));
   return text;
 }
 

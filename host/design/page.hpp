@@ -8,7 +8,8 @@
 
 namespace kreisel::core {
 
-/// With @THREE@, @REPORT@ and @BODIES@ in place of three.js, to_json() and the meshes.
+/// With @THREE@, @REPORT@ and @BODIES@ in place of three.js (compressed), to_json() and the meshes
+/// (packed_mesh.hpp).
 extern const char* const page_template;
 
 /// A view of solid and part with a cut to move, and all numbers. [page.html]

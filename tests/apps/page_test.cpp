@@ -13,7 +13,7 @@
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
-namespace {
+namespace THIS_FILE {
 
 class Page : public ::testing::Test {
  protected:
@@ -32,11 +32,11 @@ class Page : public ::testing::Test {
 
   /// What a browser makes of a page. @param view  behind the #, as cut=0.5
   [[nodiscard]] std::string opened(const char* name, const char* view) const {
-    return shell(
-               fmt::format("timeout 300 chromium --headless --no-sandbox --use-angle=swiftshader "
-                           "--enable-unsafe-swiftshader --user-data-dir='{0}/profile' --window-size=900,700 "
-                           "--dump-dom 'file://{0}/{1}.html#{2}' 2> /dev/null",
-                           folder_.path.string(), name, view))
+    return shell(fmt::format("timeout 300 chromium --headless --no-sandbox --use-angle=swiftshader "
+                             "--enable-unsafe-swiftshader --virtual-time-budget=60000 "
+                             "--user-data-dir='{0}/profile' --window-size=900,700 "
+                             "--dump-dom 'file://{0}/{1}.html#{2}' 2> /dev/null",
+                             folder_.path.string(), name, view))
         .out;
   }
   /// What the page says of its picture.
@@ -62,9 +62,11 @@ TEST_F(Page, ShowsThePartAndCutsItOpen) {
   // A copy of the page whose slider is moved, as by hand, once it has been drawn.
   {
     std::string moved = text();
-    moved.insert(moved.rfind("</html>"),
-                 "<script>{ const slider = document.getElementById('cut'); slider.value = 0.5; "
-                 "slider.dispatchEvent(new Event('input')); }</script>\n");
+    moved.insert(
+        moved.rfind("</html>"),
+        "<script>const waiting = setInterval(() => { if (!('drawn' in document.body.dataset)) return; "
+        "clearInterval(waiting); const slider = document.getElementById('cut'); slider.value = 0.5; "
+        "slider.dispatchEvent(new Event('input')); }, 20);</script>\n");
     std::ofstream(folder_.path / "moved.html") << moved;
   }
   const std::string closed = opened("page", "cut=0"), half = opened("page", "cut=0.5"),
@@ -99,5 +101,5 @@ TEST_F(Page, OfANestedDollTakesItApart) {
       << "from farther away, most of it moved out of the cut";
 }
 
-}  // namespace
+}  // namespace THIS_FILE
 }  // namespace kreisel::core
