@@ -23,9 +23,8 @@ inline constexpr double wall_opening = 30;
 /// Rays in single precision find the triangle, double precision says how far it is; in the unit of the
 /// meshes.
 ///
-/// @param extent  a place counts where triangles that touch one another, all as thin as what is returned,
-/// have
-///                extent^2 of area: what is smaller no printer makes
+/// @param extent  a place counts where triangles that touch one another, all as thin as what is returned or
+///                thinner, have extent^2 of area: what is smaller no printer makes
 [[nodiscard]] ThinPlace thinnest_material(const TriangleMesh& outer, const TriangleMesh& cavity,
                                           double extent);
 

@@ -63,14 +63,14 @@ TEST(ThinnestMaterial, IsNotTheEdgeOfAWedge) {
   }
 }
 
-TEST(ThinnestMaterial, IsABladesThatIsHardlyAWedge) {
+TEST(ThinnestMaterial, IsTheBladeThatIsHardlyAWedge) {
   const ThinPlace found = next_to_wedge(10);
   EXPECT_LT(found.thickness, 0.2);
   EXPECT_LT(std::abs(found.at[1]), 0.6) << "near its edge";
 }
 
 TEST(ThinnestMaterial, IsOfPlacesThatAPrinterMakes) {
-  // A web of 0.2 and 0.5 x 0.5 in area between two voids whose other webs are 1 thick.
+  // A web of 0.2 and 0.5 x 0.5 in area between two voids whose walls are 2 thick.
   const TriangleMesh outer = box_mesh(Vec3::Zero(), Vec3::Constant(10));
   const TriangleMesh voids =
       both(inverted(box_mesh({2, 2, 2}, {5, 8, 8})), inverted(box_mesh({5.2, 4, 4}, {8, 4.5, 4.5})));
