@@ -15,6 +15,18 @@ threads() {
     TSAN_OPTIONS="suppressions=$PWD/tests/library/threads.supp ignore_noninstrumented_modules=1 halt_on_error=1 exitcode=66" $build/threads
 }
 
+# All tests under sanitizers, those of the programs too, but for what a browser, a slicer and CGAL make of files: that is
+# the same without.
+sanitized() {
+  cmake --preset asan -B build/sanitized -DKREISEL_PROGRAMS=ON && cmake --build build/sanitized &&
+    ASAN_OPTIONS=detect_leaks=0 ctest --test-dir build/sanitized -j2 --output-on-failure -E '^(apps/(page|outside|union):|library/)'
+}
+
+# A problem, a formulation and a solver of one's own, as the pages on extending add them.
+extending() {
+  cmake --preset dev -DKREISEL_PYTHON=ON && cmake --build --preset dev && tests/library/extending.py build/dev
+}
+
 # Every reader fed by libFuzzer, for ten minutes each; KREISEL_FUZZ_SECONDS says otherwise. What it finds lies in
 # build/fuzz/found: mend it, and add the file to tests/data/fuzz.
 fuzz() {
@@ -31,7 +43,7 @@ fuzz() {
   return $wrong
 }
 
-[ $# -gt 0 ] || set -- threads fuzz
+[ $# -gt 0 ] || set -- threads sanitized extending fuzz
 for name; do
   began=$SECONDS
   if "$name"; then ending=passed; else ending=FAILED failed=1; fi

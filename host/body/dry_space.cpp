@@ -10,12 +10,12 @@
 namespace kreisel::core {
 namespace {
 
-constexpr std::uint32_t none = ~0u;
+constexpr std::uint32_t nowhere = ~0u;
 
 /// A closed line in which the surface meets the plane, material to its left.
 struct SectionLoop {
   Polygon points;
-  std::uint32_t piece = none;  ///< of the surface below
+  std::uint32_t piece = nowhere;  ///< of the surface below
 };
 
 /// The surface at or below the plane in pieces: vertices joined along edges that are below it.
@@ -88,7 +88,7 @@ class Below {
 /// For each loop the region without material that it bounds: the number of the loop around that, or none
 /// where it is the water that has no end.
 std::vector<std::uint32_t> regions_beside(const std::vector<SectionLoop>& loops) {
-  std::vector<std::uint32_t> region(loops.size(), none);
+  std::vector<std::uint32_t> region(loops.size(), nowhere);
   std::vector<double> hollow;  // areas, of those around hollows positive
   for (const SectionLoop& loop : loops) hollow.push_back(-area(loop.points));
   for (std::uint32_t i = 0; i < loops.size(); ++i) {
@@ -115,25 +115,25 @@ std::vector<char> dry_vertices(const TriangleMesh& mesh, double level) {
   // Regions, and pieces of surface by what they end in; the last is the water outside.
   const auto outside = std::uint32_t(loops.size());
   DisjointSets waters(loops.size() + 1);
-  std::vector<std::uint32_t> water_of(mesh.vertices.size(), none);  // by piece
+  std::vector<std::uint32_t> water_of(mesh.vertices.size(), nowhere);  // by piece
   for (std::uint32_t i = 0; i < loops.size(); ++i) {
-    const std::uint32_t beside = region[i] == none ? outside : region[i];
+    const std::uint32_t beside = region[i] == nowhere ? outside : region[i];
     std::uint32_t& water = water_of[loops[i].piece];
-    if (water == none) water = beside;
+    if (water == nowhere) water = beside;
     waters.join(water, beside);
   }
   // What ends nowhere is a cavity where it faces inward, else material around which all is wet.
   std::vector<double> volume(mesh.vertices.size(), 0);  // six times that of cones to the origin
   for (const auto& [a, b, c] : mesh.triangles)
     if (below.below(a) && below.below(b) && below.below(c))
-      if (const std::uint32_t piece = below.piece(a); water_of[piece] == none)
+      if (const std::uint32_t piece = below.piece(a); water_of[piece] == nowhere)
         volume[piece] += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c]));
   std::vector<char> vertices(mesh.vertices.size(), 0);
   bool any = false;
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
     if (!below.below(v)) continue;
     const std::uint32_t piece = below.piece(v), water = water_of[piece];
-    vertices[v] = water == none ? volume[piece] < 0 : waters.find(water) != waters.find(outside);
+    vertices[v] = water == nowhere ? volume[piece] < 0 : waters.find(water) != waters.find(outside);
     any = any || vertices[v];
   }
   if (!any) vertices.clear();

@@ -44,10 +44,10 @@ class HeightField {
       for (const std::uint32_t v : t) box.add(points_[v]);
     }
     if (triangles_.empty()) return;
-    const double margin = radius + 3 * pixel;
-    origin_ = {box.lo[0] - margin, box.lo[1] - margin};
-    columns_ = static_cast<std::size_t>((box.extent()[0] + 2 * margin) / pixel) + 2;
-    rows_ = static_cast<std::size_t>((box.extent()[1] + 2 * margin) / pixel) + 2;
+    const double rim = radius + 3 * pixel;
+    origin_ = {box.lo[0] - rim, box.lo[1] - rim};
+    columns_ = static_cast<std::size_t>((box.extent()[0] + 2 * rim) / pixel) + 2;
+    rows_ = static_cast<std::size_t>((box.extent()[1] + 2 * rim) / pixel) + 2;
     nodes_.resize(columns_ * rows_);
     for (const Triangle& t : triangles_) look_down_on(t);
     raise();

@@ -102,7 +102,7 @@ class ToHdf5 {
   void rows(std::string_view file, std::string_view, const std::vector<Row>& all, const char* units,
             const Columns& columns) {
     WrittenColumns names, values;
-    Row none{};
+    static Row none{};  // its columns alone are asked; static, so that vectors, too, begin as zero
     columns(names, none);
     for (Row row : all) columns(values, row);
     const auto [group, name] = at(file);

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Matrix3d;
 
-constexpr std::array<const char*, 6> names = {"Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Ixz"};
+constexpr std::array<const char*, 6> components = {"Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Ixz"};
 
 std::array<double, 6> six_of(const Matrix3d& i) {
   return {i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(1, 2), i(0, 2)};
@@ -27,8 +27,8 @@ Matrix3d matrix_of(const std::array<double, 6>& i) {
 
 Sheet inertia_sheet() {
   std::vector<Sheet::Column> columns = {{"run", "", ""}, {"body", "", "body", true}};
-  for (const char* name : names) columns.push_back({fmt::format("{}_g_cm2", name), "g cm^2", name});
-  for (const char* name : names)
+  for (const char* name : components) columns.push_back({fmt::format("{}_g_cm2", name), "g cm^2", name});
+  for (const char* name : components)
     columns.push_back({fmt::format("{}_over_Izz_before", name), "relative to Izz before", name});
   for (const int i : {1, 2, 3})
     columns.push_back({fmt::format("principal_{}_g_cm2", i), "principal, g cm^2", fmt::format("I{}", i)});

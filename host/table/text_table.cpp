@@ -47,17 +47,17 @@ std::string TextTable::text() const {
   }
 
   // Spans of columns of one group; a name longer than its columns widens the first of them.
-  struct Span {
+  struct Stretch {
     std::size_t first, last, width;
   };
-  std::vector<Span> spans;
+  std::vector<Stretch> spans;
   for (std::size_t c = 0; c < count; ++c) {
     if (spans.empty() || columns_[c].group != columns_[spans.back().first].group)
       spans.push_back({c, c, width[c]});
     else
       spans.back() = {spans.back().first, c, spans.back().width + gap.size() + width[c]};
   }
-  for (Span& span : spans) {
+  for (Stretch& span : spans) {
     const std::size_t name = width_of(columns_[span.first].group);
     if (name > span.width) width[span.first] += name - span.width, span.width = name;
   }

@@ -31,8 +31,9 @@ class Far : public ::testing::Test {
   [[nodiscard]] nlohmann::json made(const Vec3& place, const std::string& part,
                                     const std::string& options = "") const {
     write_mesh(file("model.off"), {moved(lopsided(), Eigen::Translation3d(place))});
-    const BenchAnswer a = design(fmt::format("spin {} -o {} --json {} --resolution 48 --force {}",
-                                             file("model.off"), file(part), file("report.json"), options));
+    const BenchAnswer a =
+        design(fmt::format("spin {} -o {} --json {} --resolution 48 --wall 1.6mm --force {}",
+                           file("model.off"), file(part), file("report.json"), options));
     EXPECT_EQ(a.code, 0) << a.out;
     EXPECT_EQ(a.out.find("nan"), std::string::npos) << a.out;
     return nlohmann::json::parse(std::ifstream(file("report.json")), nullptr, false);

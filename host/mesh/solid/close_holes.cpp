@@ -89,7 +89,7 @@ std::vector<Triangle> least_area(const TriangleMesh& mesh, const Rim& rim) {
   return patch;
 }
 
-Vec3 middle_of(const TriangleMesh& mesh, const Rim& rim) {
+Vec3 middle_of_rim(const TriangleMesh& mesh, const Rim& rim) {
   Vec3 sum = Vec3::Zero();
   for (const std::uint32_t v : rim) sum += mesh.vertices[v];
   return sum / double(rim.size());
@@ -97,7 +97,7 @@ Vec3 middle_of(const TriangleMesh& mesh, const Rim& rim) {
 
 /// The triangles within the outline on the plane that fits it best; none where that crosses itself.
 std::vector<Triangle> outline(const TriangleMesh& mesh, const Rim& rim) {
-  const Vec3 middle = middle_of(mesh, rim);
+  const Vec3 middle = middle_of_rim(mesh, rim);
   Vec3 normal = Vec3::Zero();  // twice the area along each axis [Newell]
   for (std::size_t i = 0; i < rim.size(); ++i)
     normal += (mesh.vertices[rim[i]] - middle).cross(mesh.vertices[rim[(i + 1) % rim.size()]] - middle);
@@ -121,7 +121,7 @@ std::vector<Triangle> outline(const TriangleMesh& mesh, const Rim& rim) {
 
 std::vector<Triangle> fan(TriangleMesh& mesh, const Rim& rim) {
   const auto middle = std::uint32_t(mesh.vertices.size());
-  mesh.vertices.push_back(middle_of(mesh, rim));
+  mesh.vertices.push_back(middle_of_rim(mesh, rim));
   std::vector<Triangle> patch;
   for (std::size_t i = 0; i < rim.size(); ++i) patch.push_back({middle, rim[i], rim[(i + 1) % rim.size()]});
   return patch;
@@ -144,7 +144,7 @@ ClosedHoles close_holes(TriangleMesh& mesh, double largest) {
     for (const std::uint32_t v : rim) box.add(mesh.vertices[v]);
     const double across = box.extent().norm();
     if (!(across <= largest)) continue;
-    const Vec3 middle = middle_of(mesh, rim);
+    const Vec3 middle = middle_of_rim(mesh, rim);
     double between = 0;
     for (const Triangle& t : patch_of(mesh, rim)) {
       const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
