@@ -28,17 +28,22 @@ struct Section {
     xy += c * (p[0] * q[1] + 2 * p[0] * p[1] + 2 * q[0] * q[1] + q[0] * p[1]) / 24;
   }
 
-  struct Least {
-    double moment = 0, axis = 0;
-  };
-  /// Of all axes through the centroid.
-  [[nodiscard]] Least least_second_moment() const {
-    if (!(area > 0)) return {};
-    const double a = xx - x * x / area, b = yy - y * y / area, c = xy - x * y / area;
-    // About an axis at t it is (a + b) / 2 - (a - b) / 2 cos 2t - c sin 2t.
-    return {std::max(0.0, (a + b) / 2 - std::hypot((a - b) / 2, c)), std::atan2(c, (a - b) / 2) / 2};
+  [[nodiscard]] Eigen::Matrix2d about_centroid() const {
+    if (!(area > 0)) return Eigen::Matrix2d::Zero();
+    const double c = xy - x * y / area;
+    return Eigen::Matrix2d{{xx - x * x / area, c}, {c, yy - y * y / area}};
   }
 };
+
+struct Least {
+  double moment = 0, axis = 0;
+};
+/// Of all axes through the centroid.
+Least least_second_moment(const Eigen::Matrix2d& about_centroid) {
+  const double a = about_centroid(0, 0), b = about_centroid(1, 1), c = about_centroid(0, 1);
+  // About an axis at t it is (a + b) / 2 - (a - b) / 2 cos 2t - c sin 2t.
+  return {std::max(0.0, (a + b) / 2 - std::hypot((a - b) / 2, c)), std::atan2(c, (a - b) / 2) / 2};
+}
 
 struct Submerged {
   double volume = 0, dry = 0;
@@ -146,7 +151,8 @@ Hydrostatics hydrostatics(const TriangleMesh& mesh, double waterline) {
   result.dry = sum.dry;
   result.centre_of_buoyancy = sum.volume > 0 ? Vec3(origin + sum.first / sum.volume) : origin;
   result.waterplane_area = sum.section.area;
-  const Section::Least least = sum.section.least_second_moment();
+  result.second_moments = sum.section.about_centroid();
+  const Least least = least_second_moment(result.second_moments);
   result.least_second_moment = least.moment;
   result.least_axis = least.axis;
   return result;

@@ -23,6 +23,11 @@ namespace kreisel::core {
 
 namespace {
 
+Figures solid_figures(const SolvedRun& run, const RunResult& r) {
+  return figures_of(r.solid, 1e3 * r.mass_unit_grams * r.solid[S1] / r.density, r,
+                    run.problem().verify_at_rest(r.solid, r.length_mm));
+}
+
 /// @throws InputError  no plane
 Plane parse_plane(const std::string& text) {
   const std::size_t last = text.rfind(',');
@@ -192,7 +197,7 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
   written.keep();
   design.run = std::move(run.result);
   const RunResult& r = design.run;
-  design.before = figures_of(r.solid, 1e3 * r.mass_unit_grams * r.solid[S1] / r.density, r, run.problem());
+  design.before = solid_figures(run, r);
   if (!design.feasible()) return design;
 
   double volume = 0;
@@ -201,8 +206,7 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
     if (std::ranges::find(design.files, material.file) == design.files.end() && !material.file.empty())
       design.files.push_back(material.file);
   }
-  design.after = figures_of(r.verified.moments, volume, r, run.problem());
-  design.after.verdict = r.verified.verdict;  // which may say that the file holds no solid
+  design.after = figures_of(r.verified.moments, volume, r, r.verified.verdict);
   design.residual = residual_of(design.after, r.config);
   return design;
 }
@@ -251,7 +255,7 @@ Design make_none(Session& session, const DesignSpec& spec, const FoundPoses& fou
   run.result.remedies = thinner_wall(session, spec, control);
   design.run = std::move(run.result);
   const RunResult& r = design.run;
-  design.before = figures_of(r.solid, 1e3 * r.mass_unit_grams * r.solid[S1] / r.density, r, run.problem());
+  design.before = solid_figures(run, r);
   return design;
 }
 

@@ -1,10 +1,12 @@
 #include "design/figures.hpp"
 
+#include <utility>
+
 #include "problem/problem.hpp"
 
 namespace kreisel::core {
 
-Figures figures_of(const Moments& body, double volume, const RunResult& run, const Problem& problem) {
+Figures figures_of(const Moments& body, double volume, const RunResult& run, Verdict verdict) {
   // About the body's own origin, along the model's axes: far from the model's origin digits would cancel.
   Frame frame = run.frame;
   frame.origin = Vec3::Zero();
@@ -18,7 +20,7 @@ Figures figures_of(const Moments& body, double volume, const RunResult& run, con
   f.principal = principal.moments;
   f.axes = principal.axes;
   if (f.axes.determinant() < 0) f.axes.col(0) *= -1;
-  f.verdict = problem.verify(body, run.length_mm);
+  f.verdict = std::move(verdict);
   return f;
 }
 

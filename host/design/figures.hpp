@@ -18,8 +18,7 @@ struct Figures {
 
 /// @param body    moments in the frame and units of the run's body
 /// @param volume  of the material, mm^3
-[[nodiscard]] Figures figures_of(const Moments& body, double volume, const RunResult& run,
-                                 const Problem& problem);
+[[nodiscard]] Figures figures_of(const Moments& body, double volume, const RunResult& run, Verdict verdict);
 
 /// By how much a solid misses what was asked; NaN where nothing of the kind was.
 struct Residual {

@@ -132,7 +132,7 @@ WrittenPart judged(std::vector<WrittenMaterial> materials, const Body& body, con
     }
   part.moments += body.added;
   if (wrong.empty())
-    part.verdict = problem.verify(part.moments, body.frame.length);
+    part.verdict = problem.verify_at_rest(part.moments, body.frame.length);
   else
     part.verdict.text = wrong;
   return part;

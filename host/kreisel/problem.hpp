@@ -135,6 +135,11 @@ class KREISEL_API Problem {
 
   /// Judges a finished solid by exact criteria. @param length_mm  one body length in millimetres
   [[nodiscard]] virtual Verdict verify(const Moments& s, double length_mm) const = 0;
+  /// verify(), and what becomes of the solid when it is left to itself, which takes longer to find out: for
+  /// what is shown, not for what is searched.
+  [[nodiscard]] virtual Verdict verify_at_rest(const Moments& s, double length_mm) const {
+    return verify(s, length_mm);
+  }
 };
 
 /// What a problem may know of the body that it is asked of.

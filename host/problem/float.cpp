@@ -4,9 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
+#include "physics/rest_afloat.hpp"
+#include "physics/units.hpp"
 #include "settings/field_text.hpp"
 
 namespace kreisel::core {
@@ -19,6 +22,15 @@ Float::Float(const Draft& draft) : draft_(draft) {
       Eigen::Vector3d(draft.mass, cb[0] * draft.mass, cb[1] * draft.mass) - draft.load.head<3>();
   constraints_.names = {"mass = displaced mass", "cx over the centre of buoyancy",
                         "cy over the centre of buoyancy"};
+  if (!draft.sought) return;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  constraints_.matrix.conservativeResizeLike(Eigen::MatrixXd::Zero(4, 10));
+  constraints_.matrix(3, SZ) = 1;
+  constraints_.lower =
+      Eigen::Vector4d(constraints_.lower[0], constraints_.lower[1], constraints_.lower[2], -none);
+  constraints_.upper = Eigen::Vector4d(constraints_.upper[0], constraints_.upper[1], constraints_.upper[2],
+                                       draft.water.metacentre() * draft.mass - draft.load[SZ]);
+  constraints_.names.push_back("cz below the metacentre");
 }
 
 Moments Float::gradient(const Moments&) const { return Moments::Unit(SZ) / draft_.mass; }
@@ -92,6 +104,38 @@ Verdict Float::verify(const Moments& part, double length_mm) const {
   if (!above) reasons.push_back("centre of mass beside the centre of buoyancy by more than 1e-3 L");
   if (!stable) reasons.push_back("centre of mass above the metacentre");
   verdict.text = fmt::format("does not float upright ({}): {}", fmt::join(reasons, "; "), where);
+  return verdict;
+}
+
+Verdict Float::verify_at_rest(const Moments& part, double length_mm) const {
+  Verdict verdict = verify(part, length_mm);
+  if (!draft_.hull) return verdict;
+  const Moments s = part + draft_.load;
+  const double volume = s[S1] / draft_.mass * draft_.water.volume;
+  const double most = most_displaced(*draft_.hull);
+  constexpr double hovers = 1e-6;  // of as much as it displaces under water: it is at home at any depth
+  if (volume > (1 + hovers) * most) verdict.text += "; left to itself it sinks";
+  if (volume > (1 - hovers) * most) return verdict;
+  const RestAfloat rest = rest_afloat({*draft_.hull, centre_of_mass(s), volume});
+  const double axis = draft_.water.least_axis;
+  const Vec3 along(std::cos(axis), std::sin(axis), 0), across(-std::sin(axis), std::cos(axis), 0);
+  const double heel = degrees(std::atan2(std::abs(rest.up.dot(across)), rest.up[2])),
+               trim = degrees(std::atan2(std::abs(rest.up.dot(along)), rest.up[2])),
+               tilt = degrees(std::atan2(rest.up.head<2>().norm(), rest.up[2]));
+  verdict.values["rest_heel_degrees"] = heel;
+  verdict.values["rest_trim_degrees"] = trim;
+  verdict.values["rest_tilt_degrees"] = tilt;
+  if (rest.floods || rest.sinks)
+    verdict.text += fmt::format("; left to itself it leans until water comes over its rim{}",
+                                rest.sinks ? ", and sinks" : "");
+  if (rest.sinks) return verdict;
+  constexpr double upright = 0.1, over = 90;  // degrees
+  if (tilt > over)
+    verdict.text +=
+        fmt::format("; left to itself it turns over, and comes to rest {:.1f} degrees from upright", tilt);
+  else if (tilt > upright)
+    verdict.text += fmt::format(
+        "; left to itself it comes to rest with a heel of {:.2f} and a trim of {:.2f} degrees", heel, trim);
   return verdict;
 }
 
@@ -210,6 +254,8 @@ Moments moments_of(const std::vector<Load>& loads, const Body& body) {
 std::unique_ptr<Problem> make_float(const Settings& settings, const Body& body) {
   const auto [draft, fluid, loads] = settings_as<FloatSettings>(settings);
   Draft result;
+  result.hull = std::make_shared<const TriangleMesh>(body.local);
+  result.sought = draft.sought;
   result.load = moments_of(loads, body);
   result.water =
       hydrostatics(body.local, waterline_for(draft, body, fluid, result.load[S1] * body.mass_grams()));
@@ -232,7 +278,7 @@ std::vector<Settings> drafts_of(const Settings& settings, const Body&) {
   // Shares of the height: what displaces nothing like what the body can weigh
   // is infeasible at once.
   for (const double percent : {25, 40, 50, 60, 70, 85}) {
-    each.draft = {DraftSpec::share, percent};
+    each.draft = {DraftSpec::share, percent, true};
     all.emplace_back(each);
   }
   return all;

@@ -1,6 +1,8 @@
 // float.hpp - the floating problem. [RayRep, eq. 3-5]
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "body/hydrostatics.hpp"
@@ -19,12 +21,16 @@ struct Draft {
   Moments load = Moments::Zero();  ///< what is carried: its mass and first
                                    ///< moments, in solid masses
   std::optional<double> floods_at = {};  ///< heel at which water comes over a rim, radians; of a boat
+  std::shared_ptr<const TriangleMesh> hull =
+      {};               ///< body frame; nothing: where it comes to rest is not asked
+  bool sought = false;  ///< one of several that are tried: a stable one is wanted
 };
 
 /// Minimise c_z with the centre of mass over the centre of buoyancy and the
 /// part's mass that of the water it displaces: sx = c_bx m_b, sy = c_by m_b, s1
-/// = m_b; all of these with what the part carries. All linear: the optimal
-/// cavity is what lies above a plane, so rays are filled from below.
+/// = m_b; all of these with what the part carries. Where the draft is one of several to choose from, the
+/// centre of mass must not lie above the metacentre, either: sz <= m_b times its height. All linear: the
+/// optimal cavity is what lies above a plane, so rays are filled from below.
 class Float final : public Problem {
  public:
   explicit Float(const Draft& draft);
@@ -51,6 +57,8 @@ class Float final : public Problem {
   /// mass is within 1e-3 L of the vertical through the centre of buoyancy, and
   /// it lies below the metacentre.
   [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override;
+  /// With heel and trim at rest, found by letting go (physics/rest_afloat.hpp).
+  [[nodiscard]] Verdict verify_at_rest(const Moments& s, double length_mm) const override;
 
  private:
   Draft draft_;
@@ -68,6 +76,7 @@ struct DraftSpec {
   };
   Kind kind = share;
   double value = 60;
+  bool sought = false;  ///< one of drafts_of()
 };
 
 /// A weight that is put into or onto the body, and is small beside it.

@@ -32,7 +32,7 @@ void add_verdicts(std::map<std::string, Verdict>& all, const Body& body, bool up
     if (!entry.for_solid || entry.upright != upright) continue;
     Verdict& verdict = all[entry.name];
     try {
-      verdict = entry.make(entry.read(*entry.for_solid), body)->verify(body.solid, body.frame.length);
+      verdict = entry.make(entry.read(*entry.for_solid), body)->verify_at_rest(body.solid, body.frame.length);
     } catch (const InputError& error) {  // no base to stand on; heavier than water
       verdict.text = error.what();
     }

@@ -188,5 +188,45 @@ TEST(Float, ALoadIsPartOfWhatFloats) {
                    std::string("problem.load = ") + text + "; expected grams");
 }
 
+TEST(Float, ADraftThatIsSoughtMustBeStable) {
+  const Body body = barge();
+  const auto& entry = find_problem("float");
+  const std::vector<Settings> all = entry.choices(entry.read({{"draft", "auto"}}), body);
+  ASSERT_EQ(all.size(), 6u);
+  const auto asked = make_problem("float", {{"draft", "60%"}}, body), sought = entry.make(all[3], body);
+  // 60 % of 0.5: the metacentre of draft() above.
+  const double km = 0.15 + 1 / 3.6;
+  const Moments low = load(0.6, {0.3, 0, km - 1e-3}), high = load(0.6, {0.3, 0, km + 1e-3});
+  for (const Moments& s : {low, high}) EXPECT_NEAR(violation(*asked, s), 0, round_off);
+  EXPECT_NEAR(violation(*sought, low), 0, round_off);
+  EXPECT_NEAR(violation(*sought, high), 0.6e-3, round_off);
+  EXPECT_EQ(sought->constraints().names.back(), "cz below the metacentre");
+}
+
+TEST(Float, LetGoItHeelsAndTrimsUntilItIsLiftedBelowItsCentre) {
+  const Body body = barge();
+  const auto afloat = make_problem("float", {{"draft", "60%"}}, body);
+  const auto at_rest = [&](const Vec3& centre) {
+    return afloat->verify_at_rest(load(0.6, centre), length_mm);
+  };
+  const Verdict upright = at_rest({0.3, 0, 0.2});
+  EXPECT_TRUE(upright.ok);
+  EXPECT_NEAR(upright.values.at("rest_tilt_degrees"), 0, 1e-9);
+  EXPECT_EQ(upright.text, afloat->verify({load(0.6, {0.3, 0, 0.2})}, length_mm).text);
+  // Small shifts turn it by shift over metacentric height, about either axis.
+  const double heel = 1e-3 / (0.15 + 1 / (12 * 0.3) - 0.2), trim = 1e-3 / (0.15 + 4 / (12 * 0.3) - 0.2);
+  const Verdict leans = at_rest({0.301, 0.001, 0.2});
+  EXPECT_NEAR(leans.values.at("rest_heel_degrees"), heel * 180 / std::numbers::pi, 1e-3);
+  EXPECT_NEAR(leans.values.at("rest_trim_degrees"), trim * 180 / std::numbers::pi, 1e-3);
+  EXPECT_NE(leans.text.find("comes to rest with a heel of 0.25 and a trim of 0.05 degrees"),
+            std::string::npos)
+      << leans.text;
+  const Verdict over = at_rest({0.3, 0, 0.9});
+  EXPECT_GT(over.values.at("rest_tilt_degrees"), 90);
+  EXPECT_NE(over.text.find("turns over"), std::string::npos) << over.text;
+  EXPECT_NE(afloat->verify_at_rest(load(1.2, {0.3, 0, 0.2}), length_mm).text.find("it sinks"),
+            std::string::npos);
+}
+
 }  // namespace THIS_FILE
 }  // namespace kreisel::core
