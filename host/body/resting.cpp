@@ -85,8 +85,7 @@ SupportPolygon outline(const ConvexHull& hull, const Ground& ground, const Eigen
   for (const Index f : ground.facets)
     corners.insert(corners.end(), hull.facets[f].begin(), hull.facets[f].end());
   std::ranges::sort(corners);
-  const auto repeated = std::ranges::unique(corners);
-  corners.erase(repeated.begin(), repeated.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   std::vector<Vec2> points;
   for (const Index v : corners) points.emplace_back((turn * hull.vertices[v]).head<2>());
   return hull_of(std::move(points));

@@ -50,7 +50,7 @@ void add_edges(const CornersOf& s, const CornersOf& t, const Numbering& number, 
 /// Appends the segments from each point to the next, all of one line.
 void add_segments(Numbers points, const PointOf& point, std::vector<std::array<std::uint32_t, 2>>& segments) {
   std::ranges::sort(points);
-  points.erase(std::ranges::unique(points).begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.empty()) return;
   // By the coordinates in turn: along a line that is one way or the other.
   std::ranges::sort(points, [&](std::uint32_t a, std::uint32_t b) { return point(a) < point(b); });

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <ranges>
 
 #include "error.hpp"
 #include "nest/search/baseline.hpp"
@@ -40,8 +39,8 @@ const NestKindEntry& entry_of(const NestConfig& config) { return nest_kinds()[co
 const NestKindEntry& nest_kind_of(const std::vector<std::string_view>& names) {
   const std::vector<NestKindEntry>& all = nest_kinds();
   // Layers are searched for, too: what is more than a search comes after it in the list.
-  for (const NestKindEntry& kind : all | std::views::reverse)
-    if (std::ranges::find(names, kind.by) != names.end()) return kind;
+  for (auto kind = all.rbegin(); kind != all.rend(); ++kind)
+    if (std::ranges::find(names, kind->by) != names.end()) return *kind;
   return all.front();
 }
 
@@ -96,7 +95,8 @@ std::uint64_t seed_of(const NestConfig& config) {
 std::string shapes_text(const NestConfig& config) {
   std::string text;
   if (const auto* layers = part_of<NestLayers>(config))
-    for (const std::string& shape : layers->within | std::views::reverse) text += stem(shape) + " in ";
+    for (auto shape = layers->within.rbegin(); shape != layers->within.rend(); ++shape)
+      text += stem(*shape) + " in ";
   return text + fmt::format("{} in {}", stem(config.inner.empty() ? config.outer : config.inner),
                             stem(config.outer));
 }

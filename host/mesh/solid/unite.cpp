@@ -92,7 +92,7 @@ std::vector<Triangle> boundary(const Arrangement& all, const std::vector<PatchSi
 /// Triangles that lie on each other the opposite way round have nothing between them: both go.
 void cancel_opposites(std::vector<Triangle>& triangles) {
   const auto turned_to_lowest = [](Triangle t) {
-    std::ranges::rotate(t, std::ranges::min_element(t));
+    std::rotate(t.begin(), std::ranges::min_element(t), t.end());
     return t;
   };
   std::map<Triangle, int> count;

@@ -72,7 +72,7 @@ class Looker {
   [[nodiscard]] std::uint32_t patch_at(std::uint32_t triangle, const ExactPoint& p) const {
     const auto [a, b, c] = corners_of(mesh_, mesh_.triangles[triangle]);
     const int axis = projection_axis(a, b, c);
-    const auto [first, last] = std::ranges::equal_range(all_.source, triangle);
+    const auto [first, last] = std::equal_range(all_.source.begin(), all_.source.end(), triangle);
     for (auto i = first; i != last; ++i)
       if (const auto face = std::uint32_t(i - all_.source.begin()); holds(all_, face, axis, p))
         return all_.patch[face];

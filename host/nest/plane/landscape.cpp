@@ -89,8 +89,8 @@ float PlaneSearch::bound(int turn, float scale, float floor) {
 
 void PlaneSearch::decided_by(int direction, int turn) {
   const int n = static_cast<int>(seen_.nearest().size());
-  std::ranges::rotate(deciding_outer_, deciding_outer_.end() - 1);
-  std::ranges::rotate(deciding_inner_, deciding_inner_.end() - 1);
+  std::rotate(deciding_outer_.begin(), deciding_outer_.end() - 1, deciding_outer_.end());
+  std::rotate(deciding_inner_.begin(), deciding_inner_.end() - 1, deciding_inner_.end());
   deciding_outer_.front() = direction;
   deciding_inner_.front() = (direction - turn + n) % n;
 }

@@ -243,8 +243,7 @@ std::vector<OpenPart> open_to(std::span<const Vec2> polygon, double height) {
     for (const Vec2& p : polygon)
       if (part.x0 < p.x() && p.x() < part.x1) stops.push_back(p.x());
     std::ranges::sort(stops);
-    const auto again = std::ranges::unique(stops);
-    stops.erase(again.begin(), again.end());
+    stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
     Polygon above;
     for (std::size_t s = 0; s + 1 < stops.size(); ++s) {
       const double left = stops[s], right = stops[s + 1], middle = (left + right) / 2;
