@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "error.hpp"
 #include "problem/turned.hpp"
 #include "solve/distance_to_rows.hpp"
 
@@ -40,8 +41,12 @@ std::optional<MapAnswer> Sweep::answer(const Settings& settings) const {
   const Body& laid = *stages_.body;
   MapAnswer result;
   result.objective = result.loss = result.miss = nan;
-  std::unique_ptr<Problem> posed = asked_.make(settings, turned_);
-  if (!posed->impossible().empty()) {
+  std::unique_ptr<Problem> posed;
+  try {
+    posed = asked_.make(settings, turned_);
+  } catch (const InputError&) {  // a mass that it displaces in another pose, as a boat on its keel does
+  }
+  if (!posed || !posed->impossible().empty()) {
     result.status = MapAnswer::infeasible;
     result.impossible = true;
     return result;
