@@ -27,6 +27,9 @@ extending() {
   cmake --preset dev -DKREISEL_PYTHON=ON && cmake --build --preset dev && tests/library/extending.py build/dev
 }
 
+# Experiments on a Slurm of this machine's own, with fifty kills.
+slurm() { tests/cluster/slurm.sh build/dev 50; }
+
 # Every reader fed by libFuzzer, for ten minutes each; KREISEL_FUZZ_SECONDS says otherwise. What it finds lies in
 # build/fuzz/found: mend it, and add the file to tests/data/fuzz.
 fuzz() {
@@ -43,7 +46,7 @@ fuzz() {
   return $wrong
 }
 
-[ $# -gt 0 ] || set -- threads sanitized extending fuzz
+[ $# -gt 0 ] || set -- threads sanitized extending slurm fuzz
 for name; do
   began=$SECONDS
   if "$name"; then ending=passed; else ending=FAILED failed=1; fi

@@ -19,6 +19,7 @@
 #include "record/records_in.hpp"
 #include "record/simulation_record.hpp"
 #include "table/experiment_run.hpp"
+#include "table/recorded_run.hpp"
 
 namespace kreisel::core {
 namespace fs = std::filesystem;
@@ -204,18 +205,22 @@ std::unique_ptr<Attempt> make_attempt(const PlannedRun& run, const RunnerHooks& 
   return std::visit(Make{run, hooks}, run.run.run);
 }
 
-RunState state_of(const PlannedRun& run) {
+OnRecord on_record(const PlannedRun& run) {
   std::error_code ignored;
-  if (!fs::exists(run.record, ignored)) return RunState::missing;
+  if (!fs::exists(run.record, ignored)) return {};
   const Record record = read_record(run.record);
-  if (is_limit(limits_of(run.run), record.error)) return RunState::finished;
-  if (!record.error.empty()) return RunState::failed;
-  if (record.kind == RecordKind::map && record.summary.at("termination") != "complete")
-    return RunState::missing;
-  if (record.kind != RecordKind::run) return RunState::finished;
-  if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
-  if (wants_more_samples(run.run.solve(), record.summary)) return RunState::few_samples;
-  return RunState::finished;
+  const nlohmann::json node = value_in(record.summary, "provenance.host");
+  const auto state = [&] {
+    if (is_limit(limits_of(run.run), record.error)) return RunState::finished;
+    if (!record.error.empty()) return RunState::failed;
+    if (record.kind == RecordKind::map && record.summary.at("termination") != "complete")
+      return RunState::missing;
+    if (record.kind != RecordKind::run) return RunState::finished;
+    if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
+    if (wants_more_samples(run.run.solve(), record.summary)) return RunState::few_samples;
+    return RunState::finished;
+  };
+  return {state(), node.is_string() ? node.get<std::string>() : ""};
 }
 
 }  // namespace kreisel::core

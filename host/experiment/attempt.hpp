@@ -33,7 +33,11 @@ class Attempt {
 /// @param run, hooks  must outlive the attempt
 [[nodiscard]] std::unique_ptr<Attempt> make_attempt(const PlannedRun& run, const RunnerHooks& hooks);
 
+struct OnRecord {
+  RunState state = RunState::missing;
+  std::string node;  ///< the host that made it; empty: nobody, or it is not known
+};
 /// What is on disk for it. @throws InputError  a record that cannot be read
-[[nodiscard]] RunState state_of(const PlannedRun& run);
+[[nodiscard]] OnRecord on_record(const PlannedRun& run);
 
 }  // namespace kreisel::core

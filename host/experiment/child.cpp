@@ -78,7 +78,7 @@ pid_t start(std::vector<std::string>& words, const Words* silent) {
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, silent->path(), O_WRONLY | O_APPEND, 0);
   }
   pid_t child = 0;
-  const int error = posix_spawn(&child, words[0].c_str(), &actions, nullptr, arguments.data(), environ);
+  const int error = posix_spawnp(&child, words[0].c_str(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) throw InputError(fmt::format("{}: {}; expected a program", words[0], std::strerror(error)));
   return child;

@@ -18,7 +18,7 @@ struct ChildEnd {
 /// Runs a program and waits for its end. Looks at its memory and the clock every 20 ms where there are
 /// limits, and kills it where it has passed one.
 ///
-/// @param words  the file of the program and its arguments
+/// @param words  the program, by its file or by a name on the PATH, and its arguments
 /// @param quiet  its output is not seen, but for last_words
 /// @throws InputError  no such program, or no room for what it says
 [[nodiscard]] ChildEnd run_child(std::vector<std::string> words, const Limits& limits = {},

@@ -6,7 +6,9 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <string>
 #include <system_error>
+#include <unordered_map>
 
 #include "error.hpp"
 #include "experiment/absent_files.hpp"
@@ -76,19 +78,16 @@ std::vector<RecordedRun> collect(const Experiment& experiment, const std::filesy
 
 std::vector<PlannedRun> plan_runs(const Experiment& experiment, const RunnerOptions& options) {
   std::vector<PlannedRun> plan;
+  std::unordered_map<std::string, std::size_t> known;
   for (const ExperimentRun& run : experiment.runs) {
     const fs::path record = record_path(options.results, experiment.name, run);
-    auto known =
-        std::find_if(plan.begin(), plan.end(), [&](const auto& other) { return other.record == record; });
-    if (known == plan.end()) {
-      plan.push_back({run, record, {}, {}});
-      known = plan.end() - 1;
-    }
-    if (run.mesh) known->mesh = fs::path(record).replace_extension(".stl");
+    const auto [at, is_new] = known.try_emplace(record.string(), plan.size());
+    if (is_new) plan.push_back({run, record, {}, {}});
+    if (run.mesh) plan[at->second].mesh = fs::path(record).replace_extension(".stl");
   }
   // A forced run does not look at what it replaces.
   if (!options.force)
-    for (PlannedRun& run : plan) run.state = state_of(run);
+    for (PlannedRun& run : plan) run.state = on_record(run).state;
   for (PlannedRun& run : plan) {
     if (run.state == RunState::finished) continue;
     run.lacks = text_of_absent(run.run);
@@ -104,8 +103,8 @@ std::string dry_run(const Experiment& experiment, const RunnerOptions& options) 
   for (const PlannedRun& run : plan) {
     if (run.state == RunState::finished) ++finished;
     if (run.state == RunState::absent) ++absent;
-    text += fmt::format("{:<24}  {:<40}  {}\n", text_of(run.state), run_text(run.run),
-                        run.state == RunState::absent ? run.lacks : run.record.string());
+    text += fmt::format("{:<24}  {:<40}  {}{}\n", text_of(run.state), run_text(run.run), run.record.string(),
+                        run.lacks.empty() ? "" : ": " + run.lacks);
   }
   text += fmt::format("{}: {} to run, {} finished{}\n", experiment.name, plan.size() - finished - absent,
                       finished, absent > 0 ? fmt::format(", {} skipped", absent) : "");

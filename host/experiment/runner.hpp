@@ -86,7 +86,8 @@ struct RunCounts {
 [[nodiscard]] std::vector<PlannedRun> plan_runs(const Experiment& experiment,
                                                 const RunnerOptions& options = {});
 
-/// What run_experiment() would do: a line a run, then the counts. Ends with a newline; runs nothing.
+/// What run_experiment() would do: a line a run, which names its record, then the counts. Ends with a
+/// newline; runs nothing.
 [[nodiscard]] std::string dry_run(const Experiment& experiment, const RunnerOptions& options = {});
 
 /// Runs what is not finished, in the order of the file. Every finished run is on disk before the next begins;

@@ -77,10 +77,10 @@ json value_of_all(const Row& row, std::string_view name) {
   return nullptr;
 }
 
-/// Fields of a table's rows, by which ratio() finds the other run.
+/// As ratio() finds the other run.
 bool same_but_for_a_choice(const RecordedRun& a, const RecordedRun& b) {
-  return std::ranges::all_of(std::array{"label", "model", "grid", "problem"},
-                             [&](const char* name) { return value_of(a, name) == value_of(b, name); });
+  return std::ranges::all_of(fields_of_a_ratio,
+                             [&](std::string_view name) { return value_of(a, name) == value_of(b, name); });
 }
 
 json ratio_of(const Row& row, std::string_view arguments) {

@@ -1,6 +1,7 @@
 // row.hpp - what a row of a table stands for, and the values that are asked of it.
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -49,6 +50,9 @@ struct Condition {
 /// value.
 /// @throws InputError  what cannot be read
 [[nodiscard]] nlohmann::json value_of(const Row& row, const std::string& expression);
+
+/// Fields in which the two runs of a ratio() agree.
+inline constexpr std::array<std::string_view, 4> fields_of_a_ratio = {"label", "model", "grid", "problem"};
 
 /// The operands of an expression, as they stand there.
 /// @throws InputError  what cannot be read

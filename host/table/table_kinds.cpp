@@ -18,16 +18,31 @@ const TableKind* find_table_kind(const std::string& name) {
 
 const std::vector<TableKind>& table_kinds() {
   static const std::vector<TableKind> all = {
-      {"settings", "a block a body, a row a setting: what does it gain, what does it cost", "solve",
+      {"settings",
+       "a block a body, a row a setting: what does it gain, what does it cost",
+       "solve",
+       {"model", "grid", "problem", "formulation"},
        settings_tables},
-      {"formulations", "a block a body, a row a formulation: what it takes and what it reaches", "solve",
+      {"formulations",
+       "a block a body, a row a formulation: what it takes and what it reaches",
+       "solve",
+       {"model", "grid", "problem"},
        formulations_tables},
-      {"starts", "a row a task, over its starts: how many end at the optimum, in how many passes", "solve",
+      {"starts",
+       "a row a task, over its starts: how many end at the optimum, in how many passes",
+       "solve",
+       {"label", "model", "grid", "problem"},
        starts_tables},
-      {"inertia", "a block a run: inertia tensor and principal moments before and after", "solve",
+      {"inertia",
+       "a block a run: inertia tensor and principal moments before and after",
+       "solve",
+       {},
        inertia_tables},
-      {"nest-variants", "a row a setting of a search, over its seeds: scales with their spread, seconds",
-       "nesting", nest_variants_tables},
+      {"nest-variants",
+       "a row a setting of a search, over its seeds: scales with their spread, seconds",
+       "nesting",
+       {"shapes"},
+       nest_variants_tables},
   };
   return all;
 }

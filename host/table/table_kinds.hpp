@@ -17,6 +17,8 @@ namespace kreisel::core {
 struct TableKind {
   std::string_view name, summary;
   std::string_view of;  ///< the kind of its runs, as Layout::of
+  /// What runs have in common that a row or a block sets beside each other; nothing: each stands for itself.
+  std::vector<std::string_view> compares;
   Tables (*make)(const std::vector<RecordedRun>& runs, const std::optional<Published>& published);
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/shared/exit_code.hpp"
+#include "experiment/experiment.hpp"
 #include "run/run.hpp"
 
 namespace kreisel::core::bench {
@@ -25,9 +26,29 @@ struct ExperimentOptions {
   std::string csv_file;  ///< the tables as CSV, too
   std::string models;    ///< where mesh files are that are not here; empty: see models_folder()
   std::string device;
+  std::string shard;  ///< "I/N"; empty: all of it
   bool force = false, dry_run = false;
 };
 int run_experiment(const ExperimentOptions& options);
+/// Read and looked through: unknown models, figures and published numbers are told before hours of work.
+/// @throws InputError
+[[nodiscard]] Experiment experiment_of(const std::string& name);
+
+struct SubmitOptions {
+  std::string name, results = "results/runs", models, device;  ///< as ExperimentOptions
+  int tasks = 8;
+  std::string partition, time;  ///< as Slurm takes them; empty: the cluster's own
+  bool dry_run = false;         ///< prints the script
+};
+/// An experiment as an array job of Slurm. [docs/cluster.md]
+int submit_experiment(const SubmitOptions& options);
+
+struct WatchOptions {
+  std::string name, results = "results/runs";
+  double every = 5;  ///< seconds
+};
+/// How far it is, whoever runs it: once, or on a terminal until it is over.
+int watch_experiment(const WatchOptions& options);
 
 struct InspectOptions {
   RunConfig config;       ///< its body

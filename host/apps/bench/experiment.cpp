@@ -12,6 +12,7 @@
 #include "error.hpp"
 #include "experiment/experiment_table.hpp"
 #include "experiment/runner.hpp"
+#include "experiment/shard.hpp"
 #include "record/record.hpp"
 #include "table/data_folder.hpp"
 
@@ -49,13 +50,21 @@ void look_for_files_in(const std::string& folder) {
 
 }  // namespace
 
-int run_experiment(const ExperimentOptions& options) {
-  Experiment experiment = read_experiment(find_experiment(options.name));
+Experiment experiment_of(const std::string& name) {
+  Experiment experiment = read_experiment(find_experiment(name));
   require_names(experiment);
+  return experiment;
+}
+
+int run_experiment(const ExperimentOptions& options) {
+  Experiment experiment = experiment_of(options.name);
   look_for_files_in(options.models);
   if (!options.csv_file.empty()) require_writable(options.csv_file, "--csv");
   if (!options.device.empty())
     for (ExperimentRun& run : experiment.runs) set_field(run.run, "device", options.device);
+
+  const bool whole = options.shard.empty();
+  if (!whole) experiment = share_of(experiment, shard_of(options.shard));
 
   RunnerOptions runner;
   runner.results = options.results;
@@ -68,11 +77,14 @@ int run_experiment(const ExperimentOptions& options) {
   hooks.stop = interruption();
   const RunCounts counts = kreisel::core::run_experiment(experiment, runner, hooks);
 
-  const std::vector<RecordedRun> runs = collect(experiment, runner.results);
-  fmt::print("{}", table_text(experiment, runs));
-  if (!options.csv_file.empty()) write_text(options.csv_file, table_csv(experiment, runs));
-  fmt::print("\n{} runs done, {} finished before, {} failed{}; records in {}/{}\n", counts.done,
-             counts.skipped, counts.failed,
+  if (whole || !options.csv_file.empty()) {
+    const std::vector<RecordedRun> runs = collect(experiment, runner.results);
+    if (whole) fmt::print("{}\n", table_text(experiment, runs));
+    if (!options.csv_file.empty()) write_text(options.csv_file, table_csv(experiment, runs));
+  }
+  fmt::print("{}{} runs done, {} finished before, {} failed{}; records in {}/{}\n",
+             whole ? "" : fmt::format("shard {}: ", options.shard), counts.done, counts.skipped,
+             counts.failed,
              counts.absent > 0 ? fmt::format(", {} skipped for want of a file", counts.absent) : "",
              options.results, experiment.name);
   if (counts.interrupted) return was_interrupted;

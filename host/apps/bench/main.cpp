@@ -29,6 +29,8 @@ using namespace kreisel::core::bench;
 struct Parsed {
   OnceOptions once;
   ExperimentOptions experiment;
+  SubmitOptions submit;
+  WatchOptions watch;
   ReportOptions report;
   CompareOptions compare;
   MapOptions map;
@@ -38,7 +40,7 @@ struct Parsed {
   RunOptions run;
   ShowOptions show;
   std::string only_device;
-  bool no_measure = false, markdown = false;
+  bool no_measure = false, markdown = false, by_slurm = false;
 };
 
 void add_file(CLI::App& app, const char* name, std::string& file, const char* help) {
@@ -105,9 +107,55 @@ Command add_experiment(CLI::App& app, Parsed& parsed) {
           "folder of mesh files that are not in the current one; default KREISEL_MODELS, else models")
       ->type_name("FOLDER");
   experiment->add_option("--device", parsed.experiment.device, "as above, for every run");
+  experiment
+      ->add_option("--shard", parsed.experiment.shard,
+                   "only the I-th of N shares of the runs, about equal in work; runs that the table compares "
+                   "stay together")
+      ->type_name("I/N");
   experiment->add_flag("--force", parsed.experiment.force, "run finished runs again");
   experiment->add_flag("--dry-run", parsed.experiment.dry_run, "say what would run");
   return {experiment, [&parsed] { return run_experiment(parsed.experiment); }};
+}
+
+Command add_submit(CLI::App& app, Parsed& parsed) {
+  SubmitOptions& options = parsed.submit;
+  CLI::App* submitted = app.add_subcommand("submit", "run an experiment on a cluster: an array job of Slurm");
+  offer(submitted->add_option("experiment", options.name, "a file, or the name of one of `bench list`")
+            ->type_name("NAME|FILE")
+            ->required(),
+        experiment_names);
+  // There is one engine; naming it leaves room for another.
+  submitted->add_flag("--slurm", parsed.by_slurm, "by Slurm's sbatch")->required();
+  submitted->add_option("--tasks", options.tasks, "shards, each a task on one core")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  submitted->add_option("--partition", options.partition, "default: the cluster's")->type_name("NAME");
+  submitted->add_option("--time", options.time, "limit of a task; default: the partition's")
+      ->type_name("D-H:M:S");
+  submitted->add_option("--results", options.results, "folder of the records, seen by all nodes")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  submitted->add_option("--models", options.models, "as of `bench run`")->type_name("FOLDER");
+  submitted->add_option("--device", options.device, "as of `bench run`");
+  submitted->add_flag("--dry-run", options.dry_run, "print the job's script");
+  return {submitted, [&parsed] { return submit_experiment(parsed.submit); }};
+}
+
+Command add_watch(CLI::App& app, Parsed& parsed) {
+  WatchOptions& options = parsed.watch;
+  CLI::App* watched =
+      app.add_subcommand("watch", "how far an experiment is, told by its records alone, whoever runs it");
+  offer(watched->add_option("experiment", options.name, "a file, or the name of one of `bench list`")
+            ->type_name("NAME|FILE")
+            ->required(),
+        experiment_names);
+  watched->add_option("--results", options.results, "folder of the records")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  watched->add_option("--every", options.every, "seconds between looks, on a terminal")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->capture_default_str();
+  return {watched, [&parsed] { return watch_experiment(parsed.watch); }};
 }
 
 Command add_inspect(CLI::App& app, Parsed& parsed) {
@@ -241,8 +289,8 @@ int dispatch(int argc, char** argv) {
   Parsed parsed;
   add_run_options(app, parsed);
   std::vector<Command> commands;
-  for (const auto add : {add_experiment, add_inspect, add_map, add_simulate, add_nest, add_report, add_show,
-                         add_compare, add_columns, add_fields})
+  for (const auto add : {add_experiment, add_submit, add_watch, add_inspect, add_map, add_simulate, add_nest,
+                         add_report, add_show, add_compare, add_columns, add_fields})
     commands.push_back(add(app, parsed));
   commands.emplace_back(
       app.add_subcommand("list", "models, problems, formulations, solvers, experiments; which pairs work"),

@@ -1,0 +1,92 @@
+#include "experiment/slurm.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+
+#include "error.hpp"
+#include "experiment/child.hpp"
+
+namespace kreisel::core {
+namespace fs = std::filesystem;
+namespace {
+
+/// As one word of a shell.
+std::string quoted(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + '\'';
+}
+
+/// It goes into a line of the script that Slurm reads, where nothing is quoted.
+void require_plain(const char* option, const std::string& text, std::string_view also, const char* expected) {
+  const auto plain = [&](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           also.find(c) != also.npos;
+  };
+  if (!std::ranges::all_of(text, plain))
+    throw InputError(fmt::format("{} {}: expected {}", option, text, expected));
+}
+
+fs::path whole_path(const fs::path& path) { return fs::absolute(path).lexically_normal(); }
+
+}  // namespace
+
+fs::path job_folder(const ArrayJob& job) { return whole_path(job.results / job.name / "slurm"); }
+
+std::string script_of(const ArrayJob& job) {
+  if (job.tasks < 1) throw InputError("--tasks 0: expected at least one");
+  require_plain("--partition", job.partition, "_-.,", "names of partitions, with commas between them");
+  require_plain("--time", job.time, ":-", "minutes, or days-hours:minutes:seconds");
+  std::string words =
+      fmt::format("{} run {} --results {}", quoted(whole_path(job.program).string()),
+                  quoted(whole_path(job.file).string()), quoted(whole_path(job.results).string()));
+  if (!job.models.empty()) words += " --models " + quoted(whole_path(job.models).string());
+  if (!job.device.empty()) words += " --device " + quoted(job.device);
+  std::string script = "#!/bin/bash\n";
+  const auto say = [&](const std::string& option) { script += "#SBATCH " + option + '\n'; };
+  std::string plain = job.name;
+  std::ranges::replace_if(
+      plain, [](unsigned char c) { return !std::isalnum(c) && c != '_' && c != '-'; }, '-');
+  say("--job-name=" + plain);
+  say(fmt::format("--array=1-{}", job.tasks));
+  say("--ntasks=1");
+  say("--cpus-per-task=1");
+  if (!job.partition.empty()) say("--partition=" + job.partition);
+  if (!job.time.empty()) say("--time=" + job.time);
+  say("--requeue");
+  say("--signal=B:TERM@60");
+  say("--open-mode=append");
+  // Kernels are compiled once a node; a home that all nodes share would be written by all of them at once.
+  script += "export POCL_CACHE_DIR=\"${TMPDIR:-/tmp}/kreisel-pocl-$(id -u)\"\n";
+  script += "mkdir -p \"$POCL_CACHE_DIR\"\n";
+  script += fmt::format("exec {} --shard \"$SLURM_ARRAY_TASK_ID/{}\"\n", words, job.tasks);
+  return script;
+}
+
+void submit(const ArrayJob& job) {
+  const std::string script = script_of(job);
+  const fs::path folder = job_folder(job), file = folder / "job.sh";
+  std::error_code error;
+  fs::create_directories(folder, error);
+  std::ofstream out(file, std::ios::binary);
+  out << script;
+  out.close();
+  if (error || !out)
+    throw InputError(fmt::format("{}: cannot be written; expected a folder for results", file.string()));
+  ChildEnd end;
+  try {
+    // Not in the script: its lines cannot quote a folder's name.
+    end = run_child({"sbatch", "--output=" + (folder / "%A_%a.txt").string(), file.string()});
+  } catch (const InputError&) {
+    throw InputError(
+        fmt::format("sbatch: not on the PATH; expected Slurm's (the job is written: {})", file.string()));
+  }
+  if (end.code != 0) throw std::runtime_error(fmt::format("sbatch ended with code {}", end.code));
+}
+
+}  // namespace kreisel::core

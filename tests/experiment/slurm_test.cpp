@@ -1,0 +1,102 @@
+// slurm_test.cpp - the script of an array job: what Slurm and a shell make of it.
+#include "experiment/slurm.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "apps/run_bench.hpp"
+#include "refusal.hpp"
+#include "temporary_folder.hpp"
+
+namespace kreisel::core {
+namespace THIS_FILE {
+
+ArrayJob job() {
+  return {.name = "wall",
+          .program = "/opt/kreisel/bin/bench",
+          .file = "/home/me/wall.toml",
+          .results = "/data/runs"};
+}
+
+TEST(ArrayJob, IsATaskAShardThatIsQueuedAgain) {
+  ArrayJob asked = job();
+  asked.tasks = 16;
+  asked.partition = "short,long";
+  asked.time = "1-12:00:00";
+  const std::string script = script_of(asked);
+  EXPECT_EQ(script.find("#!/bin/bash\n#SBATCH "), 0u);
+  for (const char* line :
+       {"#SBATCH --array=1-16\n", "#SBATCH --requeue\n", "#SBATCH --partition=short,long\n",
+        "#SBATCH --time=1-12:00:00\n", "#SBATCH --job-name=wall\n", "#SBATCH --cpus-per-task=1\n",
+        "exec '/opt/kreisel/bin/bench' run '/home/me/wall.toml' --results '/data/runs' --shard "
+        "\"$SLURM_ARRAY_TASK_ID/16\"\n"})
+    EXPECT_NE(script.find(line), std::string::npos) << line << script;
+  EXPECT_EQ(script_of(job()).find("--partition"), std::string::npos) << "the cluster's own";
+}
+
+TEST(ArrayJob, AShellReadsAnyNameAsItIs) {
+  const TemporaryFolder folder;
+  const std::string odd = (folder.path / "it's $HOME; `ls` \"x\" *").string();
+  std::filesystem::create_directory(odd);
+  ArrayJob asked = job();
+  asked.file = odd + "/wall.toml";
+  asked.results = odd;
+  asked.models = odd;
+  asked.device = "a'b";
+  asked.name = "odd name\nof it";
+  asked.program = folder.path / "bench";
+  std::ofstream(asked.program) << "#!/bin/sh\nprintf '%s\\n' \"$@\"\n";
+  std::filesystem::permissions(asked.program, std::filesystem::perms::owner_all);
+  std::ofstream(folder.path / "job.sh") << script_of(asked);
+  const BenchAnswer said =
+      shell(fmt::format("SLURM_ARRAY_TASK_ID=3 bash '{}'", (folder.path / "job.sh").string()));
+  EXPECT_EQ(
+      said.out,
+      fmt::format("run\n{0}/wall.toml\n--results\n{0}\n--models\n{0}\n--device\na'b\n--shard\n3/8\n", odd));
+  EXPECT_NE(script_of(asked).find("--job-name=odd-name-of-it\n"), std::string::npos);
+}
+
+TEST(ArrayJob, WhatSlurmWouldNotTakeIsRefused) {
+  ArrayJob asked = job();
+  asked.partition = "a b";
+  expect_refusal([&] { (void)script_of(asked); }, "--partition a b: ", {"expected names of partitions"});
+  asked = job();
+  asked.time = "1h";
+  expect_refusal([&] { (void)script_of(asked); }, "--time 1h: ", {"expected minutes"});
+  asked = job();
+  asked.tasks = 0;
+  expect_refusal([&] { (void)script_of(asked); }, "--tasks 0: ", {});
+}
+
+TEST(ArrayJob, IsHandedToSbatchWithItsFolder) {
+  const TemporaryFolder folder;
+  ArrayJob asked = job();
+  asked.results = folder.path / "runs";
+  const std::string before = fmt::format("PATH='{}':", folder.path.string());
+  // One that says what it was given.
+  std::ofstream(folder.path / "sbatch") << "#!/bin/sh\necho \"$@\" > \"$(dirname \"$0\")/given\"\n";
+  std::filesystem::permissions(folder.path / "sbatch", std::filesystem::perms::owner_all);
+  std::ofstream(folder.path / "two.toml") << "[[run]]\nmodel = ['ellipsoid', 'bird']\n";
+  const std::string submit = fmt::format("submit '{}/two.toml' --slurm --tasks 2 --results '{}'",
+                                         folder.path.string(), asked.results.string());
+  EXPECT_EQ(bench(submit, before + "$PATH").code, 0);
+  std::ifstream given(folder.path / "given");
+  std::string text;
+  std::getline(given, text);
+  const std::string slurm = (asked.results / "two" / "slurm").string();
+  EXPECT_EQ(text, fmt::format("--output={0}/%A_%a.txt {0}/job.sh", slurm));
+  EXPECT_TRUE(std::filesystem::exists(slurm + "/job.sh"));
+
+  const BenchAnswer none = bench(submit, fmt::format("PATH='{}'", slurm));
+  EXPECT_EQ(none.code, 2) << none.out;
+  EXPECT_NE(none.out.find("sbatch: not on the PATH; expected Slurm's"), std::string::npos) << none.out;
+  const BenchAnswer dry = bench(submit + " --dry-run");
+  EXPECT_EQ(dry.code, 0);
+  EXPECT_EQ(dry.out.find("#!/bin/bash\n"), 0u) << dry.out;
+  EXPECT_EQ(bench("submit nothing --slurm").code, 2);
+}
+
+}  // namespace THIS_FILE
+}  // namespace kreisel::core
