@@ -23,14 +23,14 @@ std::string quoted(const std::string& text) {
 }
 
 /// It goes into a line of the script that Slurm reads, where nothing is quoted.
-void require_plain(const char* option, const std::string& text, std::string_view also, const char* expected) {
-  const auto plain = [&](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-           also.find(c) != also.npos;
-  };
-  if (!std::ranges::all_of(text, plain))
+void require_plain(const char* option, const std::string& text, std::string_view characters,
+                   const char* expected) {
+  if (text.find_first_not_of(characters) != text.npos)
     throw InputError(fmt::format("{} {}: expected {}", option, text, expected));
 }
+
+constexpr std::string_view of_names = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.,";
+constexpr std::string_view of_times = "0123456789:-";
 
 fs::path whole_path(const fs::path& path) { return fs::absolute(path).lexically_normal(); }
 
@@ -40,8 +40,8 @@ fs::path job_folder(const ArrayJob& job) { return whole_path(job.results / job.n
 
 std::string script_of(const ArrayJob& job) {
   if (job.tasks < 1) throw InputError("--tasks 0: expected at least one");
-  require_plain("--partition", job.partition, "_-.,", "names of partitions, with commas between them");
-  require_plain("--time", job.time, ":-", "minutes, or days-hours:minutes:seconds");
+  require_plain("--partition", job.partition, of_names, "names of partitions, with commas between them");
+  require_plain("--time", job.time, of_times, "minutes, or days-hours:minutes:seconds");
   std::string words =
       fmt::format("{} run {} --results {}", quoted(whole_path(job.program).string()),
                   quoted(whole_path(job.file).string()), quoted(whole_path(job.results).string()));

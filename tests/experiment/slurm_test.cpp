@@ -14,10 +14,12 @@ namespace kreisel::core {
 namespace THIS_FILE {
 
 ArrayJob job() {
-  return {.name = "wall",
-          .program = "/opt/kreisel/bin/bench",
-          .file = "/home/me/wall.toml",
-          .results = "/data/runs"};
+  ArrayJob all;
+  all.name = "wall";
+  all.program = "/opt/kreisel/bin/bench";
+  all.file = "/home/me/wall.toml";
+  all.results = "/data/runs";
+  return all;
 }
 
 TEST(ArrayJob, IsATaskAShardThatIsQueuedAgain) {

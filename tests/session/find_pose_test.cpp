@@ -133,6 +133,16 @@ TEST_F(FindPose, ToFloatDraftAndPoseAreChosenTogether) {
   EXPECT_NE(find_problem("float").settings.in_force(poses.good[0].settings).at("draft"), "auto");
 }
 
+TEST_F(FindPose, ADraftThatAPoseDoesNotHaveIsImpossibleThere) {
+  // 25 mm deep, of a body that is 20 mm high on most of its faces.
+  RunConfig config = turned_box({20, 20, 60}, Eigen::Matrix3d::Identity(), "float");
+  set_field(config, "up", "auto");
+  set_field(config, "problem.draft", "25mm");
+  const FoundPoses poses = found(config);
+  EXPECT_GE(poses.tried.front().impossible, 4u) << poses.text();
+  EXPECT_LT(poses.tried.front().impossible, poses.tried.front().tried);
+}
+
 TEST_F(FindPose, CutsOffNoMoreThanItMust) {
   // A roof turned over: it stands on its ridge.
   const std::filesystem::path file = folder_.path / "roof.off";

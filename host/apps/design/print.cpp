@@ -103,6 +103,7 @@ void print_design(const Design& d) {
              r.config.problem, size[0], size[1], size[2], r.density, text(r.axis, 3), text(r.contact, 2));
   for (const std::string& line : r.repairs) fmt::print("  repaired   {}\n", line);
   if (!d.feasible()) {
+    if (!d.before.verdict.text.empty()) fmt::print("  solid      {}\n", d.before.verdict.text);
     fmt::print("  infeasible {}\n", r.infeasibility);
     const bool both = !r.remedies.empty() && !d.other_axes.empty();
     if (!r.remedies.empty()) fmt::print("  would help {}\n", r.remedies);
