@@ -122,10 +122,11 @@ std::vector<CubeSums> CellMoments::operator()(std::span<const Cube> cubes) {
     for (std::size_t c = 0; c < cubes.size(); ++c) sums[c] = sums_on_host(*domain_, first_, cubes[c]);
     return sums;
   }
-  const auto [corners, out] = checked("allocating device arrays", [&] {
-    return std::pair(cl::Buffer(device_->context(), CL_MEM_READ_ONLY, cubes.size_bytes()),
-                     cl::Buffer(device_->context(), CL_MEM_WRITE_ONLY, sums.size() * sizeof(CubeSums)));
-  });
+  const auto buffer = [&](cl_mem_flags flags, std::size_t bytes) {
+    return checked("allocating device arrays", [&] { return cl::Buffer(device_->context(), flags, bytes); });
+  };
+  const cl::Buffer corners = buffer(CL_MEM_READ_ONLY, cubes.size_bytes()),
+                   out = buffer(CL_MEM_WRITE_ONLY, sums.size() * sizeof(CubeSums));
   checked("writing a device array", [&] {
     device_->queue().enqueueWriteBuffer(corners, CL_FALSE, 0, cubes.size_bytes(), cubes.data());
   });

@@ -218,11 +218,11 @@ TEST_F(Design, WhatDoesNotDoAsAskedIsWrittenAndEndsWithCodeFive) {
   write_mesh(file("post.off"), {box_mesh({0, 0, 0}, {20, 20, 60})});
   for (const std::string problem : {"float", "spin"}) {
     const std::string asked =
-        fmt::format("{} {} -o {} --json {} --html {} --force --resolution 32 --wall 3mm", problem,
+        fmt::format("{} {} -o {} --json {} --html {} --force --resolution 32 --wall 2.4mm", problem,
                     file("post.off"), file("part.stl"), file("report.json"), file("page.html"));
     const bool page = fs::exists("/usr/share/javascript/three/three.min.js");
     const std::string arguments =
-        page ? asked : asked.substr(0, asked.find("--html")) + "--force --resolution 32 --wall 3mm";
+        page ? asked : asked.substr(0, asked.find("--html")) + "--force --resolution 32 --wall 2.4mm";
     const BenchAnswer a = design(arguments);
     EXPECT_EQ(a.code, 5) << a.out;
     EXPECT_NE(a.out.find("does not " + problem), std::string::npos) << a.out;
@@ -240,7 +240,7 @@ TEST_F(Design, AFileTooSmallOrLargeToBeInMillimetresIsAskedForItsUnit) {
     const std::string name = file("part.off");
     write_mesh(name, {box_mesh({0, 0, 0}, {size, size, size / 2})});
     const std::string arguments =
-        fmt::format("spin {} -o {} --force --resolution 24 --wall 2.4mm", name, file("part.stl"));
+        fmt::format("spin {} -o {} --force --resolution 24 --wall 4%", name, file("part.stl"));
     const BenchAnswer a = design(arguments);
     EXPECT_EQ(a.code, 2) << a.out;
     EXPECT_NE(a.out.find(size < 1 ? "--unit mm (0.06 mm), cm (0.6 mm), m (60 mm), in (1.524 mm), or --size"
