@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
-#include <numeric>
 #include <string>
 #include <unordered_map>
 #include <utility>
 
+#include "disjoint_sets.hpp"
 #include "error.hpp"
 #include "experiment/progress.hpp"
 #include "parse.hpp"
@@ -30,25 +31,6 @@ struct Unit {
   }
 };
 
-/// Sets of runs that are joined pair by pair.
-class Joined {
- public:
-  explicit Joined(std::size_t count) : leader_(count) {
-    std::iota(leader_.begin(), leader_.end(), std::size_t{0});
-  }
-  [[nodiscard]] std::size_t leader(std::size_t i) {
-    while (leader_[i] != i) i = leader_[i] = leader_[leader_[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t k) {
-    const std::size_t a = leader(i), b = leader(k);
-    leader_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> leader_;
-};
-
 struct Units {
   std::vector<Unit> all;  ///< in the order of the file
   std::size_t kinds = 0;  ///< of work
@@ -58,11 +40,12 @@ struct Units {
 Units units_of(const Experiment& experiment) {
   const ComparedAs compared_as = compared_in(experiment.table, experiment.layout);
   const std::size_t count = experiment.runs.size();
-  Joined joined(count);
-  std::unordered_map<std::string, std::size_t> named, compared, kinds;
+  DisjointSets joined(count);
+  std::unordered_map<std::string, std::uint32_t> named, compared;
+  std::unordered_map<std::string, std::size_t> kinds;
   std::vector<std::size_t> kind_of(count);
   std::vector<double> weight(count), whole;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::uint32_t i = 0; i < count; ++i) {
     const ExperimentRun& run = experiment.runs[i];
     if (const std::string key = compared_as({run}); !key.empty())
       joined.join(i, compared.try_emplace(key, i).first->second);
@@ -75,9 +58,9 @@ Units units_of(const Experiment& experiment) {
     whole[kind_of[i]] += weight[i];
   }
   Units units{{}, kinds.size()};
-  std::unordered_map<std::size_t, std::size_t> unit_of;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto [at, is_new] = unit_of.try_emplace(joined.leader(i), units.all.size());
+  std::unordered_map<std::uint32_t, std::size_t> unit_of;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto [at, is_new] = unit_of.try_emplace(joined.find(i), units.all.size());
     if (is_new) units.all.emplace_back();
     Unit& unit = units.all[at->second];
     unit.runs.push_back(i);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "disjoint_sets.hpp"
 #include "geometry/triangle_mesh.hpp"
 #include "stop.hpp"
 
@@ -38,25 +39,6 @@ void for_each_edge(const std::vector<Side>& sides, Visit&& visit) {
     first = last;
   }
 }
-
-/// Disjoint sets of 0 .. n-1; the lowest member stands for each.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) {
-    for (std::size_t i = 0; i < n; ++i) parent_[i] = std::uint32_t(i);
-  }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    i = find(i), j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// The corners of triangles (3 * triangle + k) joined across every edge of exactly two triangles: each set is
 /// a fan around one vertex. A vertex with more than one fan is where parts of the surface merely touch.
