@@ -1,4 +1,5 @@
-// words.hpp - several words as one text and back, though a word may have a space in it.
+// words.hpp - several words as one text and back, though a word may have a space in it; a word as a shell
+// reads it.
 #pragma once
 
 #include <string>
@@ -33,6 +34,14 @@ namespace kreisel::core {
   }
   if (words.back().empty()) words.pop_back();
   return words;
+}
+
+/// One word as a shell reads it: quoted where it would read anything else.
+[[nodiscard]] inline std::string shell_word(const std::string& text) {
+  if (!text.empty() && text.find_first_of(" \t\n'\"\\$`&|;<>()*?[]#~!{}") == std::string::npos) return text;
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
 }
 
 }  // namespace kreisel::core

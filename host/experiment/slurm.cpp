@@ -3,24 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <stdexcept>
 #include <string_view>
 #include <system_error>
 
 #include "error.hpp"
 #include "experiment/child.hpp"
+#include "file/write_text.hpp"
+#include "words.hpp"
 
 namespace kreisel::core {
 namespace fs = std::filesystem;
 namespace {
-
-/// As one word of a shell.
-std::string quoted(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + '\'';
-}
 
 /// It goes into a line of the script that Slurm reads, where nothing is quoted.
 void require_plain(const char* option, const std::string& text, std::string_view characters,
@@ -43,10 +36,10 @@ std::string script_of(const ArrayJob& job) {
   require_plain("--partition", job.partition, of_names, "names of partitions, with commas between them");
   require_plain("--time", job.time, of_times, "minutes, or days-hours:minutes:seconds");
   std::string words =
-      fmt::format("{} run {} --results {}", quoted(whole_path(job.program).string()),
-                  quoted(whole_path(job.file).string()), quoted(whole_path(job.results).string()));
-  if (!job.models.empty()) words += " --models " + quoted(whole_path(job.models).string());
-  if (!job.device.empty()) words += " --device " + quoted(job.device);
+      fmt::format("{} run {} --results {}", shell_word(whole_path(job.program).string()),
+                  shell_word(whole_path(job.file).string()), shell_word(whole_path(job.results).string()));
+  if (!job.models.empty()) words += " --models " + shell_word(whole_path(job.models).string());
+  if (!job.device.empty()) words += " --device " + shell_word(job.device);
   std::string script = "#!/bin/bash\n";
   const auto say = [&](const std::string& option) { script += "#SBATCH " + option + '\n'; };
   std::string plain = job.name;
@@ -73,11 +66,9 @@ void submit(const ArrayJob& job) {
   const fs::path folder = job_folder(job), file = folder / "job.sh";
   std::error_code error;
   fs::create_directories(folder, error);
-  std::ofstream out(file, std::ios::binary);
-  out << script;
-  out.close();
-  if (error || !out)
-    throw InputError(fmt::format("{}: cannot be written; expected a folder for results", file.string()));
+  if (error)
+    throw InputError(fmt::format("{}: {}; expected a folder for results", folder.string(), error.message()));
+  write_text(file, script);
   ChildEnd end;
   try {
     // Not in the script: its lines cannot quote a folder's name.
@@ -86,7 +77,10 @@ void submit(const ArrayJob& job) {
     throw InputError(
         fmt::format("sbatch: not on the PATH; expected Slurm's (the job is written: {})", file.string()));
   }
-  if (end.code != 0) throw std::runtime_error(fmt::format("sbatch ended with code {}", end.code));
+  if (end.code != 0)
+    throw InputError(
+        fmt::format("sbatch refused {} (code {}); expected a partition and a time that this cluster has",
+                    file.string(), end.code));
 }
 
 }  // namespace kreisel::core

@@ -27,8 +27,9 @@ struct ArrayJob {
 [[nodiscard]] std::string script_of(const ArrayJob& job);
 
 /// Writes the script and hands it to Slurm, which prints the job's number.
-/// @throws InputError  as script_of(), no folder to write to, no sbatch on the PATH
-/// @throws std::runtime_error  sbatch refused, and has said why
+/// @throws InputError  as script_of(), no folder to write to, no sbatch on the PATH, or one that refused and
+/// has
+///                     said why
 void submit(const ArrayJob& job);
 
 }  // namespace kreisel::core

@@ -14,6 +14,7 @@
 #include "geometry/rotation.hpp"
 #include "session/sweep.hpp"
 #include "stopwatch.hpp"
+#include "words.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -35,14 +36,6 @@ std::vector<std::string> cases_of(const MapSpec& spec, const MapCases& cases) {
   if (!spec.drafts.empty())
     throw InputError(fmt::format("drafts for the problem {}; expected --problem float", spec.config.problem));
   return {""};
-}
-
-/// Fields and settings as one writes them on the command line.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(" \t'\"\\$`&|;<>()*?[]#~!{}") == std::string::npos) return text;
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
 }
 
 }  // namespace
@@ -91,8 +84,8 @@ std::string OrientationMap::command(Place place) const {
   if (!cases[place.at_case].empty()) run.settings["problem." + problem.map->setting] = cases[place.at_case];
   std::string line = "bench";
   for (const auto& [key, value] : describe(run))
-    line += key.find('.') != std::string::npos ? fmt::format(" --set {}", quoted(key + "=" + value))
-                                               : fmt::format(" --{} {}", key, quoted(value));
+    line += key.find('.') != std::string::npos ? fmt::format(" --set {}", shell_word(key + "=" + value))
+                                               : fmt::format(" --{} {}", key, shell_word(value));
   return line + fmt::format(" --{}={:.9g} --contact={:.9g}", upright ? "up" : "axis",
                             fmt::join(axes[place.axis], ","), fmt::join(contacts[place.axis], ","));
 }

@@ -32,7 +32,7 @@ TEST(ArrayJob, IsATaskAShardThatIsQueuedAgain) {
   for (const char* line :
        {"#SBATCH --array=1-16\n", "#SBATCH --requeue\n", "#SBATCH --partition=short,long\n",
         "#SBATCH --time=1-12:00:00\n", "#SBATCH --job-name=wall\n", "#SBATCH --cpus-per-task=1\n",
-        "exec '/opt/kreisel/bin/bench' run '/home/me/wall.toml' --results '/data/runs' --shard "
+        "exec /opt/kreisel/bin/bench run /home/me/wall.toml --results /data/runs --shard "
         "\"$SLURM_ARRAY_TASK_ID/16\"\n"})
     EXPECT_NE(script.find(line), std::string::npos) << line << script;
   EXPECT_EQ(script_of(job()).find("--partition"), std::string::npos) << "the cluster's own";
@@ -90,6 +90,12 @@ TEST(ArrayJob, IsHandedToSbatchWithItsFolder) {
   const std::string slurm = (asked.results / "two" / "slurm").string();
   EXPECT_EQ(text, fmt::format("--output={0}/%A_%a.txt {0}/job.sh", slurm));
   EXPECT_TRUE(std::filesystem::exists(slurm + "/job.sh"));
+
+  std::ofstream(folder.path / "sbatch") << "#!/bin/sh\necho 'invalid partition' >&2\nexit 1\n";
+  const BenchAnswer refused = bench(submit, before + "$PATH");
+  EXPECT_EQ(refused.code, 2) << refused.out;
+  EXPECT_NE(refused.out.find("invalid partition"), std::string::npos) << refused.out;
+  EXPECT_NE(refused.out.find("sbatch refused "), std::string::npos) << refused.out;
 
   const BenchAnswer none = bench(submit, fmt::format("PATH='{}'", slurm));
   EXPECT_EQ(none.code, 2) << none.out;
