@@ -5,7 +5,6 @@
 #include <chrono>
 #include <system_error>
 
-#include "experiment/attempt.hpp"
 #include "experiment/progress.hpp"
 
 namespace kreisel::core {
@@ -35,32 +34,35 @@ Watch::Watch(const Experiment& experiment, const fs::path& results) {
   }
   for (Known& known : runs_) known.share /= whole.at(effort_of(known.run.run).kind);
   kinds_ = whole.size();
-  seen_.runs = runs_.size();
 }
 
 Seen Watch::look() {
-  seen_.absent = 0;
-  std::error_code gone;
+  Seen seen;
+  seen.runs = runs_.size();
+  double done = 0;  // of all work
+  const Known* first = nullptr;
   for (Known& known : runs_) {
-    if (known.told) continue;
-    const auto [state, node] = on_record(known.run);
-    if (state == RunState::finished || state == RunState::failed) {
-      known.told = true;
-      ++(state == RunState::finished ? seen_.finished : seen_.failed);
-      ++seen_.by_node[node];
-      done_ += known.share;
-      const auto when = fs::last_write_time(known.run.record, gone);
-      if (!gone && (!first_ || when < *first_)) first_ = when, first_share_ = known.share;
-    } else if (!known.run.lacks.empty()) {
-      ++seen_.absent;
+    if (known.found.state != RunState::finished) {
+      known.found = on_record(known.run);
+      std::error_code gone;
+      known.written = fs::last_write_time(known.run.record, gone);
     }
+    const bool finished = known.found.state == RunState::finished,
+               failed = known.found.state == RunState::failed;
+    if (!finished && !failed) {
+      if (!known.run.lacks.empty()) ++seen.absent;
+      continue;
+    }
+    ++(finished ? seen.finished : seen.failed);
+    ++seen.by_node[known.found.node];
+    done += known.share;
+    if (!first || known.written < first->written) first = &known;
   }
-  seen_.seconds_left.reset();
-  if (first_ && done_ > first_share_) {
-    const std::chrono::duration<double> since = fs::file_time_type::clock::now() - *first_;
-    seen_.seconds_left = since.count() * (static_cast<double>(kinds_) - done_) / (done_ - first_share_);
+  if (first && done > first->share) {
+    const std::chrono::duration<double> since = fs::file_time_type::clock::now() - first->written;
+    seen.seconds_left = since.count() * (static_cast<double>(kinds_) - done) / (done - first->share);
   }
-  return seen_;
+  return seen;
 }
 
 }  // namespace kreisel::core

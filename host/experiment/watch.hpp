@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "experiment/attempt.hpp"
 #include "experiment/runner.hpp"
 
 namespace kreisel::core {
@@ -28,20 +29,18 @@ class Watch {
   /// @throws InputError  a record that cannot be read
   Watch(const Experiment& experiment, const std::filesystem::path& results);
 
-  /// Reads those records that are new since the last look.
+  /// Reads again what was not finished at the last look: a run that failed may be made once more.
   [[nodiscard]] Seen look();
 
  private:
   struct Known {
     PlannedRun run;
     double share = 0;  ///< of the work of its kind
-    bool told = false;
+    OnRecord found = {};
+    std::filesystem::file_time_type written = {};
   };
   std::vector<Known> runs_;
   std::size_t kinds_ = 0;
-  Seen seen_;
-  double done_ = 0, first_share_ = 0;  ///< of all work
-  std::optional<std::filesystem::file_time_type> first_;
 };
 
 }  // namespace kreisel::core

@@ -62,6 +62,8 @@ TEST_F(Watched, ByItsRecordsAlone) {
   finish(4, "north", 0);
   EXPECT_EQ(text_of(watch.look()), "5 of 5 runs, 1 failed; north 3, south 2");
   EXPECT_TRUE(watch.look().over());
+  finish(2, "south", 0);
+  EXPECT_EQ(text_of(watch.look()), "5 of 5 runs; north 3, south 2") << "it was made again";
 }
 
 }  // namespace THIS_FILE
