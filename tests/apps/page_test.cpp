@@ -74,16 +74,18 @@ TEST_F(Page, ShowsThePartAndCutsItOpen) {
         "slider.dispatchEvent(new Event('input')); }, 20);</script>\n");
     std::ofstream(folder_.path / "moved.html") << moved;
   }
-  const std::string closed = opened("page", "cut=0"), moved = opened("moved", "cut=0");
-  for (const std::string& dom : {closed, moved}) {
+  const std::string closed = opened("page", "cut=0"), half = opened("page", "cut=0.5"),
+                    moved = opened("moved", "cut=0");
+  for (const std::string& dom : {closed, half, moved}) {
     // The scripts' own text mentions it, too; the attribute is on the body.
     EXPECT_EQ(dom.find("<body data-error"), std::string::npos) << dom.substr(0, 2000);
-    EXPECT_GT(number("drawn", dom), 8000) << "pixels that are not background";
+    EXPECT_GT(number("drawn", dom), 8760) << "pixels that are not background";
     EXPECT_NE(dom.find("<td>mass, g</td>"), std::string::npos);
     EXPECT_NE(dom.find("id=\"verdict\" class=\"\">spins: "), std::string::npos);
   }
   EXPECT_EQ(number("open", closed), 0) << "nothing is cut";
-  EXPECT_GT(number("open", moved), 1200) << "pixels of material that is cut";
+  EXPECT_GT(number("open", half), 1314) << "pixels of material that is cut";
+  EXPECT_EQ(number("open", moved), number("open", half)) << "by the slider";
 }
 
 TEST_F(Page, OfANestedDollTakesItApart) {
@@ -99,7 +101,7 @@ TEST_F(Page, OfANestedDollTakesItApart) {
     EXPECT_NE(dom.find("id=\"verdict\" class=\"\">nests: 1 layer"), std::string::npos);
     EXPECT_NE(dom.find("<td>layer-1-upper</td>"), std::string::npos);
   }
-  EXPECT_GT(number("open", whole), 1200);
+  EXPECT_GT(number("open", whole), 1314);
   EXPECT_LT(number("open", apart), number("open", whole))
       << "from farther away, most of it moved out of the cut";
 }
