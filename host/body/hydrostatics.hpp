@@ -14,8 +14,8 @@ struct Hydrostatics {
   double volume = 0;                       ///< displaced, V_b
   Vec3 centre_of_buoyancy = Vec3::Zero();  ///< c_b
   double waterplane_area = 0;
-  double least_second_moment =
-      0;                  ///< I_w, the least about an axis through that centroid; 0 without a section
+  /// I_w, the least about an axis through the section's centroid; 0 without a section.
+  double least_second_moment = 0;
   double least_axis = 0;  ///< azimuth of the axis that it is about, radians from x, in (-pi/2, pi/2]
   double dry = 0;         ///< of the displaced volume what is no material
   /// Of the whole section about its own centroid: the integral of (x, y) (x, y)^T.

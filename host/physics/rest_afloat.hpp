@@ -15,7 +15,7 @@ struct RestAfloat {
 /// The stable equilibrium that lies downhill from `afloat.mesh` upright: the least potential energy, which is
 /// by how much the centre of mass lies above the centre of buoyancy, over all ways of turning. By Newton's
 /// method with the waterplane's second moments, where the energy falls by it, else by steps along the slope.
-/// To 1e-9 of the mesh's size, a thousandth of that where water comes aboard.
+/// To 1e-9 of the mesh's size.
 /// @param afloat  volume in (0, most that the mesh displaces)
 [[nodiscard]] RestAfloat rest_afloat(const Afloat& afloat);
 

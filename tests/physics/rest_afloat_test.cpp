@@ -88,7 +88,6 @@ TEST(RestAfloat, AnOpenBoxThatLeansTooFarTakesWaterAndSinks) {
   ASSERT_GT(most_displaced(hull), volume);
   EXPECT_NEAR(rest_afloat({hull, Vec3(0, 0, 1), volume}).up[2], 1, 1e-12);
   const RestAfloat over = rest_afloat({hull, Vec3(0, 0.9, 1), volume});
-  EXPECT_TRUE(over.floods || over.sinks);
   EXPECT_TRUE(over.sinks) << "its material is heavier than what it displaces then";
 }
 
