@@ -1,6 +1,7 @@
 #include "body/dry_space.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdint>
 #include <unordered_map>
 
@@ -15,75 +16,72 @@ constexpr std::uint32_t nowhere = ~0u;
 /// A closed line in which the surface meets the plane, material to its left.
 struct SectionLoop {
   Polygon points;
-  std::uint32_t piece = nowhere;  ///< of the surface below
+  std::uint32_t low = nowhere;  ///< a vertex of the surface below that ends in it
 };
 
-/// The surface at or below the plane in pieces: vertices joined along edges that are below it.
-class Below {
- public:
-  Below(const TriangleMesh& mesh, double level) : mesh_(mesh), level_(level), pieces_(mesh.vertices.size()) {
-    for (const Triangle& t : mesh.triangles)
-      for (std::size_t k = 0; k < 3; ++k)
-        if (const std::uint32_t a = t[k], b = t[(k + 1) % 3]; below(a) && below(b)) pieces_.join(a, b);
-  }
-
-  [[nodiscard]] bool below(std::uint32_t v) const { return mesh_.vertices[v][2] <= level_; }
-  [[nodiscard]] std::uint32_t piece(std::uint32_t v) { return pieces_.find(v); }
-
-  /// From edge to edge that passes the plane.
-  [[nodiscard]] std::vector<SectionLoop> loops() {
-    struct Step {
-      std::uint64_t to;
-      Vec2 from;
-      std::uint32_t low;
-    };
-    std::unordered_map<std::uint64_t, Step> onward;
-    for (const Triangle& t : mesh_.triangles) {
-      Step step{};
-      std::uint64_t from = 0;
-      bool crosses = false;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-        if (below(a) == below(b)) continue;
-        crosses = true;
-        const std::uint64_t edge = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
-        // The surface below runs along the plane from where it leaves to where it enters, the section beside
-        // it the other way.
-        if (below(a)) {
-          step.to = edge;
-          step.low = a;
-        } else {
-          from = edge;
-          step.from = cut(b, a);
-        }
+/// Where the surface passes the plane, from edge to edge.
+std::vector<SectionLoop> loops_at(const TriangleMesh& mesh, double level) {
+  const auto below = [&](std::uint32_t v) { return mesh.vertices[v][2] <= level; };
+  const auto cut = [&](std::uint32_t low, std::uint32_t high) -> Vec2 {
+    const Vec3 &a = mesh.vertices[low], &b = mesh.vertices[high];
+    return (a + (level - a[2]) / (b[2] - a[2]) * (b - a)).head<2>();
+  };
+  struct Step {
+    std::uint64_t to;
+    Vec2 from;
+    std::uint32_t low;
+  };
+  std::unordered_map<std::uint64_t, Step> onward;
+  for (const Triangle& t : mesh.triangles) {
+    const int under = below(t[0]) + below(t[1]) + below(t[2]);
+    if (under == 0 || under == 3) continue;
+    Step step{};
+    std::uint64_t from = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      if (below(a) == below(b)) continue;
+      const std::uint64_t edge = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+      // The surface below runs along the plane from where it leaves to where it enters, the section beside
+      // it the other way.
+      if (below(a)) {
+        step.to = edge;
+        step.low = a;
+      } else {
+        from = edge;
+        step.from = cut(b, a);
       }
-      if (crosses) onward.emplace(from, step);
     }
-    std::vector<SectionLoop> found;
-    while (!onward.empty()) {
-      SectionLoop loop;
-      for (auto next = onward.begin(); next != onward.end();) {
-        const Step step = next->second;
-        loop.points.push_back(step.from);
-        loop.piece = piece(step.low);
-        onward.erase(next);
-        next = onward.find(step.to);
-      }
-      found.push_back(std::move(loop));
+    onward.emplace(from, step);
+  }
+  std::vector<SectionLoop> found;
+  while (!onward.empty()) {
+    SectionLoop loop;
+    for (auto next = onward.begin(); next != onward.end();) {
+      const Step step = next->second;
+      loop.points.push_back(step.from);
+      loop.low = step.low;
+      onward.erase(next);
+      next = onward.find(step.to);
     }
-    return found;
+    found.push_back(std::move(loop));
   }
+  return found;
+}
 
- private:
-  [[nodiscard]] Vec2 cut(std::uint32_t low, std::uint32_t high) const {
-    const Vec3 &a = mesh_.vertices[low], &b = mesh_.vertices[high];
-    return (a + (level_ - a[2]) / (b[2] - a[2]) * (b - a)).head<2>();
-  }
+/// Vertices joined along edges that keep to one side.
+template <class Keeps>
+DisjointSets joined(const TriangleMesh& mesh, const Keeps& keeps) {
+  DisjointSets pieces(mesh.vertices.size());
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const std::uint32_t a = t[k], b = t[(k + 1) % 3]; a < b && keeps(a) && keeps(b)) pieces.join(a, b);
+  return pieces;
+}
 
-  const TriangleMesh& mesh_;
-  double level_;
-  DisjointSets pieces_;
-};
+/// Six times the volume of a triangle's cone to the origin.
+double cone(const TriangleMesh& mesh, const Triangle& t) {
+  return mesh.vertices[t[0]].dot(mesh.vertices[t[1]].cross(mesh.vertices[t[2]]));
+}
 
 /// For each loop the region without material that it bounds: the number of the loop around that, or none
 /// where it is the water that has no end.
@@ -108,31 +106,41 @@ std::vector<std::uint32_t> regions_beside(const std::vector<SectionLoop>& loops)
 
 }  // namespace
 
-std::vector<char> dry_vertices(const TriangleMesh& mesh, double level) {
-  Below below(mesh, level);
-  const std::vector<SectionLoop> loops = below.loops();
+DrySpace::DrySpace(const TriangleMesh& mesh) : mesh_(mesh) {
+  DisjointSets shells = joined(mesh, [](std::uint32_t) { return true; });
+  std::vector<double> volume(mesh.vertices.size(), 0);
+  for (const Triangle& t : mesh.triangles) volume[shells.find(t[0])] += cone(mesh, t);
+  has_cavities_ = std::ranges::any_of(volume, [](double v) { return v < 0; });
+}
+
+std::vector<char> DrySpace::vertices(double level) const {
+  const std::vector<SectionLoop> loops = loops_at(mesh_, level);
+  const bool hollow = std::ranges::any_of(loops, [](const SectionLoop& l) { return area(l.points) < 0; });
+  if (!hollow && !has_cavities_) return {};
+  const auto below = [&](std::uint32_t v) { return mesh_.vertices[v][2] <= level; };
+  DisjointSets pieces = joined(mesh_, below);
   const std::vector<std::uint32_t> region = regions_beside(loops);
   // Regions, and pieces of surface by what they end in; the last is the water outside.
   const auto outside = std::uint32_t(loops.size());
   DisjointSets waters(loops.size() + 1);
-  std::vector<std::uint32_t> water_of(mesh.vertices.size(), nowhere);  // by piece
+  std::vector<std::uint32_t> water_of(mesh_.vertices.size(), nowhere);  // by piece
   for (std::uint32_t i = 0; i < loops.size(); ++i) {
     const std::uint32_t beside = region[i] == nowhere ? outside : region[i];
-    std::uint32_t& water = water_of[loops[i].piece];
+    std::uint32_t& water = water_of[pieces.find(loops[i].low)];
     if (water == nowhere) water = beside;
     waters.join(water, beside);
   }
   // What ends nowhere is a cavity where it faces inward, else material around which all is wet.
-  std::vector<double> volume(mesh.vertices.size(), 0);  // six times that of cones to the origin
-  for (const auto& [a, b, c] : mesh.triangles)
-    if (below.below(a) && below.below(b) && below.below(c))
-      if (const std::uint32_t piece = below.piece(a); water_of[piece] == nowhere)
-        volume[piece] += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c]));
-  std::vector<char> vertices(mesh.vertices.size(), 0);
+  std::vector<double> volume(mesh_.vertices.size(), 0);
+  for (const Triangle& t : mesh_.triangles)
+    if (below(t[0]) && below(t[1]) && below(t[2]))
+      if (const std::uint32_t piece = pieces.find(t[0]); water_of[piece] == nowhere)
+        volume[piece] += cone(mesh_, t);
+  std::vector<char> vertices(mesh_.vertices.size(), 0);
   bool any = false;
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-    if (!below.below(v)) continue;
-    const std::uint32_t piece = below.piece(v), water = water_of[piece];
+    if (!below(v)) continue;
+    const std::uint32_t piece = pieces.find(v), water = water_of[piece];
     vertices[v] = water == nowhere ? volume[piece] < 0 : waters.find(water) != waters.find(outside);
     any = any || vertices[v];
   }

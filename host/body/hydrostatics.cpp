@@ -81,8 +81,9 @@ void add_clipped(const std::array<Vec3, 3>& corner, Submerged& sum) {
 }
 
 /// @param origin  in the waterplane
-Submerged submerged(const TriangleMesh& mesh, const Vec3& origin) {
-  const std::vector<char> dry = dry_vertices(mesh, origin[2]);
+Submerged submerged(const DrySpace& space, const Vec3& origin) {
+  const TriangleMesh& mesh = space.mesh();
+  const std::vector<char> dry = space.vertices(origin[2]);
   const auto is_dry = [&](const Triangle& t) {
     for (const std::uint32_t v : t)
       if (mesh.vertices[v][2] <= origin[2]) return dry[v] != 0;
@@ -106,10 +107,10 @@ Vec3 origin_at(const Box& box, double waterline) {
 /// From a waterline at which the mesh displaces less to one at which it displaces `volume` or more, the
 /// lowest such that a look at a few levels tells; nothing where it nowhere does.
 /// @param most  becomes the most seen on the way
-std::optional<std::array<double, 2>> rise_to(const TriangleMesh& mesh, const Box& box, double volume,
+std::optional<std::array<double, 2>> rise_to(const DrySpace& space, const Box& box, double volume,
                                              double* most = nullptr) {
   constexpr int levels = 12, halvings = 40;
-  const auto displaced = [&](double z) { return submerged(mesh, origin_at(box, z)).volume; };
+  const auto displaced = [&](double z) { return submerged(space, origin_at(box, z)).volume; };
   const double low = box.lo[2], height = box.extent()[2];
   double z = low, at_z = 0, seen = 0;
   for (int level = 1; level <= levels; ++level) {
@@ -144,7 +145,7 @@ std::optional<std::array<double, 2>> rise_to(const TriangleMesh& mesh, const Box
 
 Hydrostatics hydrostatics(const TriangleMesh& mesh, double waterline) {
   const Vec3 origin = origin_at(bounding_box(mesh), waterline);
-  const Submerged sum = submerged(mesh, origin);
+  const Submerged sum = submerged(DrySpace(mesh), origin);
   Hydrostatics result;
   result.waterline = waterline;
   result.volume = sum.volume;
@@ -160,7 +161,8 @@ Hydrostatics hydrostatics(const TriangleMesh& mesh, double waterline) {
 
 std::optional<double> waterline_of(const TriangleMesh& mesh, double volume) {
   const Box box = bounding_box(mesh);
-  const auto span = rise_to(mesh, box, volume);
+  const DrySpace space(mesh);
+  const auto span = rise_to(space, box, volume);
   if (!span) return {};
   auto [low, high] = *span;
   double z = (low + high) / 2;
@@ -169,7 +171,7 @@ std::optional<double> waterline_of(const TriangleMesh& mesh, double volume) {
   // Newton's method, whose slope is the section's area; where it does not halve the error, or leaves what is
   // known to hold the waterline, a halving of that.
   for (int step = 0; step < 120; ++step) {
-    const Submerged sum = submerged(mesh, origin_at(box, z));
+    const Submerged sum = submerged(space, origin_at(box, z));
     const double error = sum.volume - volume;
     (error < 0 ? low : high) = z;
     double next = z - error / sum.section.area;
@@ -184,7 +186,7 @@ std::optional<double> waterline_of(const TriangleMesh& mesh, double volume) {
 
 double most_displaced(const TriangleMesh& mesh) {
   double most = 0;
-  (void)rise_to(mesh, bounding_box(mesh), std::numeric_limits<double>::infinity(), &most);
+  (void)rise_to(DrySpace(mesh), bounding_box(mesh), std::numeric_limits<double>::infinity(), &most);
   return most;
 }
 

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "body/support_polygon.hpp"
 #include "geometry/rotation.hpp"
 #include "parallel.hpp"
 #include "stop.hpp"
@@ -158,33 +157,51 @@ std::optional<Ground> ground_of(const ConvexHull& hull, const Vec3& up) {
   return best;
 }
 
-std::vector<RestingPose> resting_poses(const ConvexHull& hull, const Vec3& centre) {
-  const std::size_t n = hull.facets.size();
-  const std::vector<Index> order = largest_first(hull);
-  const std::vector<Vec3> normals = normals_of(hull);
-  constexpr Index none = ~Index{0};
-  std::vector<Index> pose_of(n, none);
-  std::vector<std::uint8_t> seen(n, 0);
-  std::vector<RestingPose> poses;
-  for (const Index f : order) {
-    if (pose_of[f] != none) continue;
+Vec3 solid_angle_gradient(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto edge = [&](const Vec3& from, const Vec3& to) -> Vec3 {
+    const Vec3 u = from - p, v = to - p;
+    const double m = u.norm(), n = v.norm();
+    return (m + n) / (m * n * (m * n + u.dot(v))) * u.cross(v);
+  };
+  return edge(a, b) + edge(b, c) + edge(c, a);
+}
+
+Grounds::Grounds(const ConvexHull& hull)
+    : hull_(hull), normals_(normals_of(hull)), ground_of_(hull.facets.size(), ~Index{0}) {
+  std::vector<std::uint8_t> seen(ground_of_.size(), 0);
+  for (const Index f : largest_first(hull)) {
+    if (ground_of_[f] != ~Index{0}) continue;
     stop_here();
-    const Ground ground = ground_around(hull, normals, f, seen);
+    const Ground ground = ground_around(hull, normals_, f, seen);
     for (const Index g : ground.facets)
-      if (pose_of[g] == none) pose_of[g] = static_cast<Index>(poses.size());
+      if (ground_of_[g] == ~Index{0}) ground_of_[g] = static_cast<Index>(grounds_.size());
     const Vec3 up = -ground.down;
     const Eigen::Matrix3d turn = axis_to_z(up);
-    const SupportPolygon carried = outline(hull, ground, turn);
-    poses.push_back({.facet = f,
-                     .up = up,
-                     .area = carried.area,
-                     .inside = carried.corners.empty() ? 0 : carried.inside((turn * centre).head<2>())});
+    grounds_.push_back({f, up, turn, outline(hull, ground, turn)});
   }
-  const std::vector<Index> ends =
-      ends_of_rolling(hull, normals, centre, [&](Index f) { return poses[pose_of[f]].stable(); });
-  for (Index f = 0; f < n; ++f)
-    poses[pose_of[ends[f]]].probability +=
-        solid_angle(centre, hull.corner(f, 0), hull.corner(f, 1), hull.corner(f, 2)) / (4 * std::numbers::pi);
+}
+
+Resting Grounds::at(const Vec3& centre) const {
+  Resting resting;
+  for (const Carried& g : grounds_)
+    resting.poses.push_back(
+        {.facet = g.facet,
+         .up = g.up,
+         .area = g.outline.area,
+         .inside = g.outline.corners.empty() ? 0 : g.outline.inside((g.turn * centre).head<2>())});
+  resting.ends = ends_of_rolling(hull_, normals_, centre,
+                                 [&](Index f) { return resting.poses[ground_of_[f]].stable(); });
+  for (Index f = 0; f < resting.ends.size(); ++f) {
+    resting.ends[f] = ground_of_[resting.ends[f]];
+    resting.poses[resting.ends[f]].probability +=
+        solid_angle(centre, hull_.corner(f, 0), hull_.corner(f, 1), hull_.corner(f, 2)) /
+        (4 * std::numbers::pi);
+  }
+  return resting;
+}
+
+std::vector<RestingPose> resting_poses(const ConvexHull& hull, const Vec3& centre) {
+  std::vector<RestingPose> poses = Grounds(hull).at(centre).poses;
   std::ranges::stable_sort(poses, [](const RestingPose& a, const RestingPose& b) {
     return a.probability != b.probability ? a.probability > b.probability : a.area > b.area;
   });

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "body/support_polygon.hpp"
 #include "geometry/convex_hull.hpp"
 #include "geometry/polygon.hpp"
 
@@ -58,12 +59,42 @@ struct RestingPose {
   [[nodiscard]] bool stable() const { return inside > 0; }
 };
 
-/// All grounds of a hull, the most probable first, equally probable ones by their area. Probabilities sum
-/// to 1.
+/// How a body with this centre of mass comes to rest.
+struct Resting {
+  std::vector<RestingPose> poses;   ///< one a ground, in the order of the grounds; probabilities sum to 1
+  std::vector<std::uint32_t> ends;  ///< by facet: the pose in which a body ends that falls on it
+};
+
+/// All grounds of a hull. They do not depend on where the centre of mass is; what is stable does.
+class Grounds {
+ public:
+  /// @param hull  kept
+  explicit Grounds(const ConvexHull& hull);
+
+  /// @param centre  of mass, inside
+  [[nodiscard]] Resting at(const Vec3& centre) const;
+  [[nodiscard]] std::size_t count() const { return grounds_.size(); }
+
+ private:
+  const ConvexHull& hull_;
+  std::vector<Vec3> normals_;
+  std::vector<std::uint32_t> ground_of_;  ///< by facet
+  struct Carried {
+    std::uint32_t facet;
+    Vec3 up;
+    Eigen::Matrix3d turn;  ///< up becomes z
+    SupportPolygon outline;
+  };
+  std::vector<Carried> grounds_;
+};
+
+/// All grounds of a hull, the most probable first, equally probable ones by their area.
 /// @param centre  of mass, inside
 [[nodiscard]] std::vector<RestingPose> resting_poses(const ConvexHull& hull, const Vec3& centre);
 
 /// The solid angle of a triangle seen from p; positive where p is behind it. [van Oosterom, Strackee 1983]
 [[nodiscard]] double solid_angle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+/// Its gradient in p: a sum over the edges, as the field of a current around the triangle. [Biot, Savart]
+[[nodiscard]] Vec3 solid_angle_gradient(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace kreisel::core

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "body/body.hpp"
 #include "error.hpp"
 
 namespace kreisel::core {

@@ -3,10 +3,11 @@
 
 #include <vector>
 
-#include "body/body.hpp"
 #include "geometry/polygon.hpp"
 
 namespace kreisel::core {
+
+struct Body;
 
 /// Convex hull, counter-clockwise seen from above, of the vertices near the ground. Body frame and units.
 struct SupportPolygon {

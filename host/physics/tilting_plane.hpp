@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "body/support_polygon.hpp"
+#include "kreisel/moments.hpp"
 
 namespace kreisel::core {
 

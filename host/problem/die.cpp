@@ -3,32 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <limits>
 #include <utility>
 
-#include "error.hpp"
+#include "problem/balance.hpp"
 #include "problem/ray_direction.hpp"
 
 namespace kreisel::core {
 namespace {
-
-bool is_inside(const ConvexHull& hull, const Vec3& p) {
-  for (std::size_t f = 0; f < hull.facets.size(); ++f)
-    if (hull.normal(f).dot(p - hull.corner(f, 0)) >= 0) return false;
-  return true;
-}
-
-/// Unfairness of a centre of mass: the sum of squares of what the shares differ by; that faces are lost or
-/// gained counts as one of them never coming up.
-double unfairness(const ConvexHull& hull, const Vec3& centre, std::size_t faces) {
-  if (!is_inside(hull, centre)) return 2;
-  std::vector<double> shares = face_shares(hull, centre);
-  shares.resize(std::max(shares.size(), faces), 0.0);
-  const double mean = 1 / static_cast<double>(faces);
-  double sum = 0;
-  for (const double share : shares) sum += (share - mean) * (share - mean);
-  return sum;
-}
 
 ConvexHull hull_of_body(const Body& body) {
   ConvexHull hull = body.hull.of(body.mesh.vertices);
@@ -36,100 +18,189 @@ ConvexHull hull_of_body(const Body& body) {
   return hull;
 }
 
+/// Nearer to the fairest the solid is there: a tenth of what a verdict takes for nothing, body lengths.
+constexpr double no_way = 1e-4;
+
 /// From the start to the fairest; where that is the start itself, some way that is not taken.
 Vec3 way(const Vec3& start, const Vec3& fairest) {
   const Vec3 along = fairest - start;
-  return along.norm() > 1e-9 ? along : Vec3::UnitZ();
+  return along.norm() < no_way ? Vec3::UnitZ() : along;
+}
+
+/// Minus along . (c - from) / |along|^2, c the centre of mass.
+Ratio reach(const Vec3& from, const Vec3& along) {
+  Ratio ratio{decltype(Ratio::numerators)::Zero(1, 10), Moments::Unit(S1)};
+  ratio.numerators.row(0).segment<3>(SX) = -along.transpose() / along.squaredNorm();
+  ratio.numerators(0, S1) = along.dot(from) / along.squaredNorm();
+  return ratio;
+}
+
+Moments gradient_of(const Ratio& ratio, const Moments& s) {
+  const Moments numerator = ratio.numerators.row(0).transpose();
+  return (numerator - numerator.dot(s) / s[S1] * ratio.denominator) / s[S1];
+}
+
+Matrix10 hessian_of(const Ratio& ratio, const Moments& s) {
+  const Moments g = gradient_of(ratio, s);
+  return -(g * ratio.denominator.transpose() + ratio.denominator * g.transpose()) / s[S1];
+}
+
+/// What is known on the way to a fair die.
+struct Search {
+  std::shared_ptr<const Fairness> fairness;
+  Vec3 start, fairest;
+  Vec3 best = start;  ///< that can be reached
+  double loss = fairness->loss(start);
+  double radius = 0.1;  ///< of the next step, body lengths
+
+  /// Goes from the best to the fairest of some points up to `end`, which can be reached. Whether it moved.
+  bool advance(const Vec3& end) {
+    constexpr int shares = 64;
+    const Vec3 from = best;
+    const double before = loss;
+    for (int i = 1; i <= shares; ++i) {
+      const Vec3 at = from + static_cast<double>(i) / shares * (end - from);
+      if (const double here = fairness->loss(at); here < loss) loss = here, best = at;
+    }
+    return loss < before;
+  }
+};
+
+/// A step of the search: the farthest interior in one direction that meets a few rows.
+class Step final : public Problem {
+ public:
+  using Onward = std::unique_ptr<Problem> (*)(Search, const Vec3& reached);
+
+  Step(Search search, const Vec3& along, LinearConstraints rows, Onward onward)
+      : search_(std::move(search)),
+        reach_(reach(search_.best, along)),
+        rows_(std::move(rows)),
+        onward_(onward) {}
+
+  [[nodiscard]] std::string_view name() const override { return "die"; }
+  [[nodiscard]] Convexity convexity() const override { return Convexity::fractional; }
+  [[nodiscard]] Traits traits() const override { return {Filling::either_end}; }
+  [[nodiscard]] double value(const Moments& s) const override {
+    return reach_.numerators.row(0).dot(s) / s[S1];
+  }
+  [[nodiscard]] Moments gradient(const Moments& s) const override { return gradient_of(reach_, s); }
+  [[nodiscard]] Matrix10 hessian(const Moments& s) const override { return hessian_of(reach_, s); }
+  [[nodiscard]] const LinearConstraints& constraints() const override { return rows_; }
+  [[nodiscard]] std::optional<Ratio> ratio() const override { return reach_; }
+  [[nodiscard]] std::unique_ptr<Problem> next(const Moments& s) const override {
+    return onward_(search_, centre_of_mass(s));
+  }
+  /// Nothing is asked of it alone.
+  [[nodiscard]] Verdict verify(const Moments&, double) const override { return {}; }
+
+ private:
+  Search search_;
+  Ratio reach_;
+  LinearConstraints rows_;
+  Onward onward_;
+};
+
+/// |c - middle| <= radius along each axis.
+LinearConstraints box_around(const Vec3& middle, double radius) {
+  LinearConstraints rows;
+  rows.matrix.setZero(6, 10);
+  rows.lower = Eigen::VectorXd::Constant(6, -std::numeric_limits<double>::infinity());
+  rows.upper = Eigen::VectorXd::Zero(6);
+  for (int k = 0; k < 3; ++k)
+    for (const int side : {0, 1}) {
+      const Eigen::Index row = 2 * k + side;
+      const double sign = side ? -1 : 1;
+      rows.matrix(row, SX + k) = sign;
+      rows.matrix(row, S1) = -sign * middle[k] - radius;
+      rows.names.push_back(fmt::format("centre of mass along {}", "xyz"[k]));
+    }
+  return rows;
+}
+
+/// As much material as there can be at the best.
+std::unique_ptr<Problem> settle(const Search& search) {
+  // At the very end of what can be reached there is one interior, and no solver settles on it.
+  constexpr double within = 0.99;
+  const bool all_the_way = search.best == search.fairest;
+  return std::make_unique<Balance>(search.start + (all_the_way ? 1 : within) * (search.best - search.start),
+                                   std::nullopt);
+}
+
+std::unique_ptr<Problem> descend(Search search);
+
+std::unique_ptr<Problem> after_descent(Search search, const Vec3& reached) {
+  search.radius *= search.advance(reached) ? 1.5 : 0.25;
+  return descend(std::move(search));
+}
+
+std::unique_ptr<Problem> descend(Search search) {
+  constexpr double least = 1e-3;  // what a verdict takes for nothing
+  const Vec3 downhill = -search.fairness->gradient(search.best);
+  if (search.radius < least || !(downhill.norm() > 1e-6)) return settle(search);
+  const LinearConstraints box = box_around(search.best, search.radius);
+  return std::make_unique<Step>(std::move(search), downhill, box, after_descent);
+}
+
+std::unique_ptr<Problem> after_the_way(Search search, const Vec3& reached) {
+  const Vec3 along = search.fairest - search.start;
+  const double t = along.dot(reached - search.start) / along.squaredNorm();
+  if (t >= 1) {
+    search.best = search.fairest;
+    return settle(search);
+  }
+  search.advance(search.start + t * along);
+  return descend(std::move(search));
 }
 
 }  // namespace
 
-std::vector<double> face_shares(const ConvexHull& hull, const Vec3& centre) {
-  std::vector<double> shares;
-  for (const RestingPose& pose : resting_poses(hull, centre))
-    if (pose.stable()) shares.push_back(pose.probability);
-  return shares;
-}
-
-Vec3 fairest_centre(const ConvexHull& hull, const Vec3& start) {
-  const std::size_t faces = face_shares(hull, start).size();
-  struct Corner {
-    Vec3 at;
-    double loss;
-  };
-  const auto corner = [&](const Vec3& at) { return Corner{at, unfairness(hull, at, faces)}; };
-  const double step = 0.02 * bounding_box(hull.vertices).extent().maxCoeff();
-  std::array<Corner, 4> simplex = {corner(start), corner(start + step * Vec3::UnitX()),
-                                   corner(start + step * Vec3::UnitY()),
-                                   corner(start + step * Vec3::UnitZ())};
-  for (int i = 0; i < 300; ++i) {
-    std::ranges::stable_sort(simplex, {}, &Corner::loss);
-    Corner& worst = simplex[3];
-    if ((worst.at - simplex[0].at).norm() < 1e-7 * step) break;
-    const Vec3 middle = (simplex[0].at + simplex[1].at + simplex[2].at) / 3;
-    const auto along = [&](double t) { return corner(middle + t * (worst.at - middle)); };
-    const Corner reflected = along(-1);
-    if (reflected.loss < simplex[0].loss) {
-      const Corner farther = along(-2);
-      worst = farther.loss < reflected.loss ? farther : reflected;
-    } else if (reflected.loss < simplex[2].loss) {
-      worst = reflected;
-    } else if (const Corner nearer = along(reflected.loss < worst.loss ? -0.5 : 0.5);
-               nearer.loss < std::min(reflected.loss, worst.loss)) {
-      worst = nearer;
-    } else {
-      for (std::size_t k = 1; k < 4; ++k) simplex[k] = corner((simplex[0].at + simplex[k].at) / 2);
-    }
-  }
-  return std::ranges::min_element(simplex, {}, &Corner::loss)->at;
-}
-
 Die::Die(ConvexHull hull, const Moments& solid)
-    : hull_(std::move(hull)),
+    : fairness_(std::make_shared<const Fairness>(std::move(hull), centre_of_mass(solid))),
       start_(centre_of_mass(solid)),
-      fairest_(fairest_centre(hull_, start_)),
-      line_(start_, way(start_, fairest_)) {
-  const Vec3 along = way(start_, fairest_);
-  numerator_.segment<3>(SX) = along / along.squaredNorm();
-  numerator_[S1] = -along.dot(start_) / along.squaredNorm();
+      fairest_(fairness_->fairest()),
+      reach_(reach(start_, way(start_, fairest_))) {
+  if ((fairest_ - start_).norm() < no_way) fairest_ = start_;
 }
 
-Moments Die::gradient(const Moments& s) const { return -(numerator_ + value(s) * Moments::Unit(S1)) / s[S1]; }
+Moments Die::gradient(const Moments& s) const { return gradient_of(reach_, s); }
 
-Matrix10 Die::hessian(const Moments& s) const {
-  const Moments g = gradient(s), mass = Moments::Unit(S1);
-  return -(g * mass.transpose() + mass * g.transpose()) / s[S1];
-}
+Matrix10 Die::hessian(const Moments& s) const { return hessian_of(reach_, s); }
 
-std::optional<Ratio> Die::ratio() const { return Ratio{-numerator_.transpose(), Moments::Unit(S1)}; }
-
-std::unique_ptr<Problem> Die::next(const Moments& s) const {
-  // At the very end of what can be reached there is one interior, and no solver settles on it.
-  constexpr double within = 0.99;
-  const double t = (fairest_ - start_).norm() > 1e-9 ? std::clamp(-within * value(s), 0.0, 1.0) : 0.0;
-  return std::make_unique<Balance>(start_ + t * (fairest_ - start_), std::nullopt);
+std::unique_ptr<Problem> Die::next(const Moments&) const {
+  Search search{fairness_, start_, fairest_};
+  const Vec3 along = fairest_ - start_;
+  if (along.isZero(0)) return settle(search);
+  const LinearConstraints line = Balance(start_, along).constraints();
+  return std::make_unique<Step>(std::move(search), along, line, after_the_way);
 }
 
 Verdict Die::verify(const Moments& s, double length_mm) const {
   const Vec3 c = centre_of_mass(s);
-  const std::vector<double> shares = face_shares(hull_, c), solid = face_shares(hull_, start_);
+  const std::vector<double> shares = fairness_->shares(c), solid = fairness_->shares(start_);
   const auto [least, most] = std::ranges::minmax(shares);
   const auto [solid_least, solid_most] = std::ranges::minmax(solid);
-  const double off = (c - fairest_).norm();
+  const double off = (c - fairest_).norm(), loss = fairness_->loss(c);
+  const bool fairest = off <= 1e-3, fairer = loss < fairness_->loss(start_);
   Verdict verdict;
-  verdict.ok = off <= 1e-3 || unfairness(hull_, c, solid.size()) < unfairness(hull_, start_, solid.size());
+  verdict.ok = fairest || fairer;
   verdict.values = {{"faces", static_cast<double>(shares.size())},
                     {"least_share", least},
                     {"most_share", most},
+                    {"excess_wait", loss},
                     {"to_fairest_mm", off * length_mm},
                     {"mass_share", s[S1]},
                     {"objective", value(s)}};
   verdict.text = fmt::format(
       "{}: each of {} faces comes up in {:.2f} to {:.2f} % of all throws (of the solid {:.2f} to {:.2f} %); "
-      "centre of "
-      "mass {:.3f} mm ({:.1e} L) from where they are most alike",
-      verdict.ok ? "a die as fair as this interior can be" : "is no fairer than the solid", shares.size(),
-      100 * least, 100 * most, 100 * solid_least, 100 * solid_most, off * length_mm, off);
+      "a "
+      "face is waited for {:.2f} % longer than with a fair die; centre of mass {:.3f} mm ({:.1e} L) from "
+      "where "
+      "the faces are most alike",
+      fairest  ? "a die as fair as its shape allows"
+      : fairer ? "a fairer die than the solid"
+               : "is no fairer than the solid",
+      shares.size(), 100 * least, 100 * most, 100 * solid_least, 100 * solid_most, 100 * loss,
+      off * length_mm, off);
   return verdict;
 }
 

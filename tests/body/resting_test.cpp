@@ -64,6 +64,16 @@ TEST(RestingPoses, ATetrahedronsSolidAnglesSumToTheSphere) {
   EXPECT_NEAR(sum, 4 * std::numbers::pi, round_off);
 }
 
+TEST(RestingPoses, TheGradientOfASolidAngleMatchesDifferences) {
+  const Vec3 a(1, 0.2, 0), b(0.1, 1, 0.3), c(-0.4, 0.2, 1), p(-0.2, -0.1, -0.3);
+  const Vec3 gradient = solid_angle_gradient(p, a, b, c);
+  constexpr double step = 1e-5;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 d = step * Vec3::Unit(k);
+    EXPECT_NEAR(gradient[k], (solid_angle(p + d, a, b, c) - solid_angle(p - d, a, b, c)) / (2 * step), 1e-9);
+  }
+}
+
 /// A box of 40 x 40 x 20 mm about the z-axis, one corner of its bottom lifted.
 Body lifted(double mm) {
   TriangleMesh mesh = box_mesh({-1, -1, 0}, {1, 1, 1});
