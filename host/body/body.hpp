@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "body/axle.hpp"
+#include "body/dry_space.hpp"
 #include "body/frame.hpp"
 #include "body/moments.hpp"
 #include "body/resting.hpp"
@@ -67,6 +68,7 @@ struct Body {
   std::vector<std::string> repairs;  ///< what was mended in the file's mesh, one line each
   UsualPose usual;
   LazyHull hull;             ///< of the mesh
+  LazyCavities cavities;     ///< of the mesh
   std::optional<Axle> axle;  ///< mm; the mesh then is both halves, and the axle not in it
   /// What is fixed and not in the mesh, an axle of the same material; body frame and units.
   Moments added = Moments::Zero();

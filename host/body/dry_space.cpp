@@ -106,17 +106,20 @@ std::vector<std::uint32_t> regions_beside(const std::vector<SectionLoop>& loops)
 
 }  // namespace
 
-DrySpace::DrySpace(const TriangleMesh& mesh) : mesh_(mesh) {
-  DisjointSets shells = joined(mesh, [](std::uint32_t) { return true; });
-  std::vector<double> volume(mesh.vertices.size(), 0);
-  for (const Triangle& t : mesh.triangles) volume[shells.find(t[0])] += cone(mesh, t);
-  has_cavities_ = std::ranges::any_of(volume, [](double v) { return v < 0; });
+bool LazyCavities::in(const TriangleMesh& mesh) const {
+  std::call_once(made_->once, [&] {
+    DisjointSets shells = joined(mesh, [](std::uint32_t) { return true; });
+    std::vector<double> volume(mesh.vertices.size(), 0);
+    for (const Triangle& t : mesh.triangles) volume[shells.find(t[0])] += cone(mesh, t);
+    made_->any = std::ranges::any_of(volume, [](double v) { return v < 0; });
+  });
+  return made_->any;
 }
 
 std::vector<char> DrySpace::vertices(double level) const {
   const std::vector<SectionLoop> loops = loops_at(mesh_, level);
   const bool hollow = std::ranges::any_of(loops, [](const SectionLoop& l) { return area(l.points) < 0; });
-  if (!hollow && !has_cavities_) return {};
+  if (!hollow && !cavities_.in(mesh_)) return {};
   const auto below = [&](std::uint32_t v) { return mesh_.vertices[v][2] <= level; };
   DisjointSets pieces = joined(mesh_, below);
   const std::vector<std::uint32_t> region = regions_beside(loops);

@@ -7,7 +7,6 @@
 #include <limits>
 #include <numbers>
 
-#include "body/dry_space.hpp"
 #include "geometry/moved.hpp"
 
 namespace kreisel::core {
@@ -143,9 +142,9 @@ std::optional<std::array<double, 2>> rise_to(const DrySpace& space, const Box& b
 
 }  // namespace
 
-Hydrostatics hydrostatics(const TriangleMesh& mesh, double waterline) {
+Hydrostatics hydrostatics(const TriangleMesh& mesh, double waterline, const LazyCavities& cavities) {
   const Vec3 origin = origin_at(bounding_box(mesh), waterline);
-  const Submerged sum = submerged(DrySpace(mesh), origin);
+  const Submerged sum = submerged(DrySpace(mesh, cavities), origin);
   Hydrostatics result;
   result.waterline = waterline;
   result.volume = sum.volume;
@@ -159,9 +158,9 @@ Hydrostatics hydrostatics(const TriangleMesh& mesh, double waterline) {
   return result;
 }
 
-std::optional<double> waterline_of(const TriangleMesh& mesh, double volume) {
+std::optional<double> waterline_of(const TriangleMesh& mesh, double volume, const LazyCavities& cavities) {
   const Box box = bounding_box(mesh);
-  const DrySpace space(mesh);
+  const DrySpace space(mesh, cavities);
   const auto span = rise_to(space, box, volume);
   if (!span) return {};
   auto [low, high] = *span;

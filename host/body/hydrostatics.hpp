@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "body/dry_space.hpp"
 #include "geometry/triangle_mesh.hpp"
 
 namespace kreisel::core {
@@ -28,11 +29,14 @@ struct Hydrostatics {
 };
 
 /// Exact up to round-off: triangles are clipped, the section comes from its boundary by Green's theorem.
-[[nodiscard]] Hydrostatics hydrostatics(const TriangleMesh& mesh, double waterline);
+/// @param cavities  of the mesh, where they are known from another pose of it
+[[nodiscard]] Hydrostatics hydrostatics(const TriangleMesh& mesh, double waterline,
+                                        const LazyCavities& cavities = {});
 
 /// The lowest waterline at which the mesh displaces `volume` > 0, to round-off; nothing where it goes under
 /// before: displacement grows with depth, but falls where water comes over a rim.
-[[nodiscard]] std::optional<double> waterline_of(const TriangleMesh& mesh, double volume);
+[[nodiscard]] std::optional<double> waterline_of(const TriangleMesh& mesh, double volume,
+                                                 const LazyCavities& cavities = {});
 
 /// The most that the mesh can displace at any depth: its volume, or more where it is a boat.
 [[nodiscard]] double most_displaced(const TriangleMesh& mesh);

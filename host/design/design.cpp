@@ -110,6 +110,7 @@ class Finishing {
 std::map<std::string, std::string> describe(const DesignSpec& spec) {
   std::map<std::string, std::string> fields = describe(spec.config);
   fields["printer-accuracy"] = fmt::format("{}", spec.printer_accuracy);
+  if (spec.tolerance) fields["tolerance"] = fmt::format("{}", *spec.tolerance);
   if (!spec.cut.empty()) fields["cut"] = spec.cut;
   if (spec.peg_radius > 0) fields["pegs"] = fmt::format("{}", spec.peg_radius);
   if (spec.drain_radius > 0) fields["drain"] = fmt::format("{}", spec.drain_radius);
@@ -178,6 +179,7 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
     control.tell("mesh, write, verify");
     PartOptions options;
     options.least_void = std::pow(5 * spec.printer_accuracy, 3);
+    options.tolerance = spec.tolerance.value_or(spec.printer_accuracy / 10);
     std::vector<MaterialPart> cast;
     if (finishing.wanted() || spec.mould)
       options.finish = [&](const std::vector<MaterialPart>& parts) {

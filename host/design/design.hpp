@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct DesignSpec {
   /// mm, the least that can be printed: no wall may be thinner, and voids of less than a cube of five times
   /// as much stay filled.
   double printer_accuracy = 0.4;
+  /// How far the surface of voids may be off for fewer triangles, mm; nothing: a tenth of the accuracy; 0:
+  /// every triangle stays.
+  std::optional<double> tolerance;
   /// Where the part is cut: "auto", by the planes that open all voids; or "NX,NY,NZ,D", where normal . x = D,
   /// model coordinates in mm. Empty: it stays whole.
   std::string cut;

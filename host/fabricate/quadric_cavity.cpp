@@ -122,7 +122,7 @@ std::optional<Vec3> meeting_point(const Quadric& quadric, const SurfaceDistance&
 }
 
 /// Deeper than the wall by so much that facets between vertices at this depth keep it.
-double depth_for(const Body& body, double wall, double cell) {
+double depth_for(const Body& body, double wall, double cell, double spare) {
   if (!(cell > 0 && cell <= wall))
     throw InputError(fmt::format(
         "a wall of {:.3g} cells of the cavity's mesh; expected at least one (a finer mesh)", wall / cell));
@@ -130,14 +130,14 @@ double depth_for(const Body& body, double wall, double cell) {
     throw InputError(
         fmt::format("a cavity's mesh of {:.0f} cells along the longest side; expected at most {}", cells,
                     Grid::most_cells));
-  return std::sqrt(wall * wall + cell * cell / 3);
+  return std::sqrt(wall * wall + cell * cell / 3) + spare;
 }
 
 }  // namespace
 
-CavityMesher::CavityMesher(const Body& body, double wall, double cell)
+CavityMesher::CavityMesher(const Body& body, double wall, double cell, double spare)
     : body_(body),
-      depth_(depth_for(body, wall, cell)),
+      depth_(depth_for(body, wall, cell, spare)),
       lattice_(bounding_box(body.local), cell),
       deep_(lattice_.size()),
       distance_(body.local) {

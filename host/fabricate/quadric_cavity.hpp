@@ -23,22 +23,27 @@ namespace kreisel::core {
 /// lattice is left to the material.
 ///
 /// No point of the mesh is nearer to the body's surface than wall - 1e-7 cell: vertices are laid
-/// sqrt(wall^2 + cell^2 / 3) deep, and by Steiner's parallel axis theorem a triangle without an edge longer
-/// than a cell is nowhere nearer than the wall, then.
+/// sqrt(wall^2 + cell^2 / 3) + spare deep, and by Steiner's parallel axis theorem a triangle without an edge
+/// longer than a cell is nowhere nearer than the wall and the spare, then.
 class CavityMesher {
  public:
   /// @param body  outlives the mesher
   /// @param wall  body units
   /// @param cell  edge of the lattice's cubes, body units
+  /// @param spare  how far the mesh may be moved towards the body's surface afterwards, body units
   /// @throws InputError  not 0 < cell <= wall; more than 1024 cells along the longest side; a body that is
   ///                     not closed; an interior without a point of the lattice
-  CavityMesher(const Body& body, double wall, double cell);
+  CavityMesher(const Body& body, double wall, double cell, double spare = 0);
 
   /// @param q  coefficients of 1 x y z xy yz xz xx yy zz, body frame and units
   /// @return   normals into the void (out of the material), body frame and units, as void_surface(): written
   ///           beside the outer mesh it is a cavity. Empty when nothing is void.
   /// Not from several threads at once: what one mesh needed of depths serves the next.
   [[nodiscard]] TriangleMesh operator()(const Moments& q) const;
+
+  /// Whether a point is as deep as the vertices along the wall.
+  [[nodiscard]] bool deep(const Vec3& p) const { return deeper(p, depth_); }
+  [[nodiscard]] bool deeper(const Vec3& p, double depth) const { return distance_(p, depth) >= depth; }
 
  private:
   const Body& body_;

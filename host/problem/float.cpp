@@ -205,7 +205,7 @@ double waterline_for(const DraftSpec& draft, const Body& body, double fluid, dou
     case DraftSpec::solid: {
       const double grams = draft.kind == DraftSpec::solid ? body.mass_grams() + load : draft.value;
       const double submerged = fluid / body.density * body.mass_grams();
-      if (const auto waterline = waterline_of(body.local, body.solid[S1] * grams / submerged);
+      if (const auto waterline = waterline_of(body.local, body.solid[S1] * grams / submerged, body.cavities);
           waterline && box.hi[2] - *waterline > 1e-9 * height)
         return *waterline;
       throw InputError(fmt::format(
@@ -257,8 +257,8 @@ std::unique_ptr<Problem> make_float(const Settings& settings, const Body& body) 
   result.hull = std::make_shared<const TriangleMesh>(body.local);
   result.sought = draft.sought;
   result.load = moments_of(loads, body);
-  result.water =
-      hydrostatics(body.local, waterline_for(draft, body, fluid, result.load[S1] * body.mass_grams()));
+  result.water = hydrostatics(
+      body.local, waterline_for(draft, body, fluid, result.load[S1] * body.mass_grams()), body.cavities);
   result.fluid = fluid;
   result.density = body.density;
   result.one_material = body.one_material() && body.void_density == 0;

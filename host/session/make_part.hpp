@@ -19,6 +19,9 @@ struct PartMeshes {
 struct PartOptions {
   /// Voids and islands smaller than this are left out, mm^3. Of quadrics and one material.
   double least_void = 0;
+  /// How far the void's surface may be from where the quadric and the wall leave it, mm, for the sake of
+  /// fewer triangles; never nearer to the skin than the wall. Of quadrics and one material.
+  double tolerance = 0;
   /// Makes the solids that are written of the part's, as by cutting it. Model coordinates, mm. What this
   /// changes of the moments is made up for like what meshing changes.
   std::function<std::vector<MaterialPart>(const std::vector<MaterialPart>&)> finish = {};

@@ -79,6 +79,10 @@ void add_options(CLI::App& app, Parsed& parsed, const ProblemEntry& problem) {
                  "stays filled")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  app.add_option("--tolerance", parsed.spec.tolerance,
+                 "how far the surface of voids may be off for the sake of fewer triangles, mm, never into the "
+                 "wall; default a tenth of --printer-accuracy; 0: all triangles stay")
+      ->check(CLI::NonNegativeNumber);
   app.add_option(
       "--cut", parsed.spec.cut,
       "cut the part: auto (by the planes that open its voids), or a plane NX,NY,NZ,D, N . x = D in mm");
