@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "body/dry_space.hpp"
 #include "geometry/moved.hpp"
+#include "parallel.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -26,6 +29,16 @@ struct Section {
     xx += c * (p[0] * p[0] + p[0] * q[0] + q[0] * q[0]) / 12;
     yy += c * (p[1] * p[1] + p[1] * q[1] + q[1] * q[1]) / 12;
     xy += c * (p[0] * q[1] + 2 * p[0] * p[1] + 2 * q[0] * q[1] + q[0] * p[1]) / 24;
+  }
+
+  Section& operator+=(const Section& more) {
+    area += more.area;
+    x += more.x;
+    y += more.y;
+    xx += more.xx;
+    yy += more.yy;
+    xy += more.xy;
+    return *this;
   }
 
   [[nodiscard]] Eigen::Matrix2d about_centroid() const {
@@ -49,6 +62,14 @@ struct Submerged {
   double volume = 0, dry = 0;
   Vec3 first = Vec3::Zero();
   Section section;
+
+  Submerged& operator+=(const Submerged& more) {
+    volume += more.volume;
+    dry += more.dry;
+    first += more.first;
+    section += more.section;
+    return *this;
+  }
 };
 
 /// The part of a triangle at z <= 0 as a fan of tetrahedra to the origin, which lies in the waterplane: so
@@ -81,20 +102,31 @@ void add_clipped(const std::array<Vec3, 3>& corner, Submerged& sum) {
 }
 
 /// @param origin  in the waterplane
-Submerged submerged(const TriangleMesh& mesh, const Vec3& origin) {
-  const std::vector<char> dry = dry_vertices(mesh, origin[2]);
-  const auto is_dry = [&](const Triangle& t) {
+Submerged submerged(const TriangleMesh& mesh, const DrySpace& space, const Vec3& origin) {
+  const std::vector<char> dry = space.vertices(origin[2]);
+  const auto below = [&](std::uint32_t v) { return mesh.vertices[v][2] <= origin[2]; };
+  const auto keeps_out = [&](const Triangle& t) {
+    if (dry.empty()) return false;
     for (const std::uint32_t v : t)
-      if (mesh.vertices[v][2] <= origin[2]) return dry[v] != 0;
+      if (below(v)) return dry[v] != 0;
     return false;
   };
-  Submerged sum, within;
-  for (const Triangle& t : mesh.triangles) {
-    const bool keeps_out = !dry.empty() && is_dry(t);
-    add_clipped({mesh.vertices[t[0]] - origin, mesh.vertices[t[1]] - origin, mesh.vertices[t[2]] - origin},
-                keeps_out ? within : sum);
-  }
-  sum.dry = -within.volume;  // its surface faces into it
+  // In blocks, whose sums are added in their order: threads do not matter to the result.
+  constexpr std::size_t block = 1 << 14;
+  const std::size_t all = mesh.triangles.size();
+  std::vector<Submerged> parts((all + block - 1) / block);
+  parallel_for(parts.size(), [&](std::size_t b) {
+    Submerged within;
+    for (std::size_t i = b * block; i < std::min((b + 1) * block, all); ++i) {
+      const Triangle& t = mesh.triangles[i];
+      if (std::ranges::none_of(t, below)) continue;
+      add_clipped({mesh.vertices[t[0]] - origin, mesh.vertices[t[1]] - origin, mesh.vertices[t[2]] - origin},
+                  keeps_out(t) ? within : parts[b]);
+    }
+    parts[b].dry = -within.volume;  // its surface faces into it
+  });
+  Submerged sum;
+  for (const Submerged& part : parts) sum += part;
   return sum;
 }
 
@@ -106,10 +138,10 @@ Vec3 origin_at(const Box& box, double waterline) {
 /// From a waterline at which the mesh displaces less to one at which it displaces `volume` or more, the
 /// lowest such that a look at a few levels tells; nothing where it nowhere does.
 /// @param most  becomes the most seen on the way
-std::optional<std::array<double, 2>> rise_to(const TriangleMesh& mesh, const Box& box, double volume,
-                                             double* most = nullptr) {
+std::optional<std::array<double, 2>> rise_to(const TriangleMesh& mesh, const DrySpace& space, const Box& box,
+                                             double volume, double* most = nullptr) {
   constexpr int levels = 12, halvings = 40;
-  const auto displaced = [&](double z) { return submerged(mesh, origin_at(box, z)).volume; };
+  const auto displaced = [&](double z) { return submerged(mesh, space, origin_at(box, z)).volume; };
   const double low = box.lo[2], height = box.extent()[2];
   double z = low, at_z = 0, seen = 0;
   for (int level = 1; level <= levels; ++level) {
@@ -136,7 +168,9 @@ std::optional<std::array<double, 2>> rise_to(const TriangleMesh& mesh, const Box
     at_z = at_next;
   }
   // To round-off all of it is under water.
-  if (seen >= volume * (1 - 1e-12)) return {{low, box.hi[2]}};
+  constexpr double nearly = 1 - 1e-12;
+  if (at_z >= volume * nearly) return {{box.hi[2], box.hi[2]}};
+  if (seen >= volume * nearly) return {{low, box.hi[2]}};
   return {};
 }
 
@@ -144,7 +178,7 @@ std::optional<std::array<double, 2>> rise_to(const TriangleMesh& mesh, const Box
 
 Hydrostatics hydrostatics(const TriangleMesh& mesh, double waterline) {
   const Vec3 origin = origin_at(bounding_box(mesh), waterline);
-  const Submerged sum = submerged(mesh, origin);
+  const Submerged sum = submerged(mesh, DrySpace(mesh), origin);
   Hydrostatics result;
   result.waterline = waterline;
   result.volume = sum.volume;
@@ -160,7 +194,8 @@ Hydrostatics hydrostatics(const TriangleMesh& mesh, double waterline) {
 
 std::optional<double> waterline_of(const TriangleMesh& mesh, double volume) {
   const Box box = bounding_box(mesh);
-  const auto span = rise_to(mesh, box, volume);
+  const DrySpace space(mesh);
+  const auto span = rise_to(mesh, space, box, volume);
   if (!span) return {};
   auto [low, high] = *span;
   double z = (low + high) / 2;
@@ -169,7 +204,7 @@ std::optional<double> waterline_of(const TriangleMesh& mesh, double volume) {
   // Newton's method, whose slope is the section's area; where it does not halve the error, or leaves what is
   // known to hold the waterline, a halving of that.
   for (int step = 0; step < 120; ++step) {
-    const Submerged sum = submerged(mesh, origin_at(box, z));
+    const Submerged sum = submerged(mesh, space, origin_at(box, z));
     const double error = sum.volume - volume;
     (error < 0 ? low : high) = z;
     double next = z - error / sum.section.area;
@@ -184,7 +219,7 @@ std::optional<double> waterline_of(const TriangleMesh& mesh, double volume) {
 
 double most_displaced(const TriangleMesh& mesh) {
   double most = 0;
-  (void)rise_to(mesh, bounding_box(mesh), std::numeric_limits<double>::infinity(), &most);
+  (void)rise_to(mesh, DrySpace(mesh), bounding_box(mesh), std::numeric_limits<double>::infinity(), &most);
   return most;
 }
 

@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "body/support_polygon.hpp"
 #include "geometry/rotation.hpp"
@@ -19,12 +21,36 @@ using Index = std::uint32_t;
 const double joins_cosine = std::cos(ground_degrees * std::numbers::pi / 180);
 const double bends_cosine = std::cos(10 * std::numbers::pi / 180);
 
-/// They are asked for several times each; a hull that is kept has no room for them.
-std::vector<Vec3> normals_of(const ConvexHull& hull) {
-  std::vector<Vec3> normals(hull.facets.size());
-  parallel_for(normals.size(), 1 << 14, [&](std::size_t f) { normals[f] = hull.normal(f); });
-  return normals;
-}
+/// Normals that are asked for several times each. A large hull fills the memory: they are kept in single
+/// precision, which decides all but the nearest cases.
+class Normals {
+ public:
+  explicit Normals(const ConvexHull& hull) : hull_(hull), kept_(hull.facets.size()) {
+    parallel_for(kept_.size(), 1 << 14, [&](std::size_t f) { kept_[f] = hull_.normal(f).cast<float>(); });
+  }
+
+  [[nodiscard]] Vec3 operator[](std::size_t f) const { return hull_.normal(f); }
+  /// Is it turned from a direction by no more than an angle of that cosine?
+  [[nodiscard]] bool within(std::size_t f, const Vec3& direction, double cosine) const {
+    const double rounded = kept_[f].cast<double>().dot(direction);
+    constexpr double unsure = 4 * std::numeric_limits<float>::epsilon();  // three roundings, each of half
+    return std::abs(rounded - cosine) > unsure ? rounded > cosine : hull_.normal(f).dot(direction) >= cosine;
+  }
+
+ private:
+  const ConvexHull& hull_;
+  std::vector<Eigen::Vector3f> kept_;
+};
+
+/// Normals of which few are asked for.
+struct NormalsAsAsked {
+  const ConvexHull& hull;
+
+  [[nodiscard]] Vec3 operator[](std::size_t f) const { return hull.normal(f); }
+  [[nodiscard]] bool within(std::size_t f, const Vec3& direction, double cosine) const {
+    return hull.normal(f).dot(direction) >= cosine;
+  }
+};
 
 double area_of(const ConvexHull& hull, std::size_t f) {
   const Vec3 &a = hull.corner(f, 0), &b = hull.corner(f, 1), &c = hull.corner(f, 2);
@@ -32,9 +58,11 @@ double area_of(const ConvexHull& hull, std::size_t f) {
 }
 
 /// Whether facet f lies in the plane of the ground, as far as one goes; `by` is beside it and does.
-bool joins(const ConvexHull& hull, const Vec3& normal, std::size_t f, std::size_t by, const Ground& ground) {
+template <class Normals>
+bool joins(const ConvexHull& hull, const Normals& normals, std::size_t f, std::size_t by,
+           const Ground& ground) {
   const Vec3& n = ground.down;
-  if (normal.dot(n) < joins_cosine) return false;
+  if (!normals.within(f, n, joins_cosine)) return false;
   const Triangle& known = hull.facets[by];
   for (const std::uint32_t v : hull.facets[f])
     if (v != known[0] && v != known[1] && v != known[2])
@@ -52,7 +80,8 @@ std::vector<Index> largest_first(const ConvexHull& hull) {
 }
 
 /// Of the facets that reach each other from `from`, those that join its plane. Convex, so they hang together.
-Ground ground_around(const ConvexHull& hull, const std::vector<Vec3>& normals, Index from,
+template <class Normals>
+Ground ground_around(const ConvexHull& hull, const Normals& normals, Index from,
                      std::vector<std::uint8_t>& seen) {
   Ground ground;
   ground.facets = {from};
@@ -64,14 +93,14 @@ Ground ground_around(const ConvexHull& hull, const std::vector<Vec3>& normals, I
     for (std::size_t k = 0; k < 3; ++k) {
       const Index next = hull.beside[f][k];
       if (seen[next]) continue;
-      if (joins(hull, normals[next], next, f, ground)) {
+      if (joins(hull, normals, next, f, ground)) {
         seen[next] = 1;
         ground.facets.push_back(next);
         continue;
       }
       const double length = (hull.corner(f, (k + 1) % 3) - hull.corner(f, k)).norm();
       rim += length;
-      if (normals[next].dot(ground.down) > bends_cosine) round += length;
+      if (normals.within(next, ground.down, bends_cosine)) round += length;
     }
   }
   for (const Index f : ground.facets) seen[f] = 0;
@@ -108,8 +137,7 @@ std::optional<Index> rolls_to(const ConvexHull& hull, const Vec3& normal, Index 
 /// Where a body ends that begins to roll on each facet. Ways that meet go on together, so each is gone once:
 /// on a fine round hull they are as long as its facets are many.
 template <class Stable>
-std::vector<Index> ends_of_rolling(const ConvexHull& hull, const std::vector<Vec3>& normals,
-                                   const Vec3& centre, const Stable& stable) {
+std::vector<Index> ends_of_rolling(const ConvexHull& hull, const Vec3& centre, const Stable& stable) {
   constexpr Index unknown = ~Index{0}, under_way = unknown - 1;
   std::vector<Index> ends(hull.facets.size(), unknown), way;
   for (Index f = 0; f < ends.size(); ++f) {
@@ -120,7 +148,7 @@ std::vector<Index> ends_of_rolling(const ConvexHull& hull, const std::vector<Vec
       way.push_back(at);
       ends[at] = under_way;
       if (stable(at)) break;
-      const auto next = rolls_to(hull, normals[at], at, centre);
+      const auto next = rolls_to(hull, hull.normal(at), at, centre);
       // The centre of mass falls with every facet, so none comes twice; round-off may disagree.
       if (!next || ends[*next] == under_way) break;
       at = *next;
@@ -131,37 +159,18 @@ std::vector<Index> ends_of_rolling(const ConvexHull& hull, const std::vector<Vec
   return ends;
 }
 
-}  // namespace
+struct Grounds {
+  std::vector<RestingPose> poses;  ///< with no probabilities yet
+  std::vector<Index> pose_of;      ///< of each facet: the first on whose ground it is
 
-const ConvexHull& LazyHull::of(const std::vector<Vec3>& vertices) const {
-  std::call_once(made_->once, [&] { made_->hull = convex_hull(vertices); });
-  return made_->hull;
-}
+  [[nodiscard]] RestingPose& pose(Index facet) { return poses[pose_of[facet]]; }
+};
 
-double solid_angle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 u = a - p, v = b - p, w = c - p;
-  const double l = u.norm(), m = v.norm(), n = w.norm();
-  return 2 * std::atan2(u.dot(v.cross(w)), l * m * n + u.dot(v) * n + v.dot(w) * l + w.dot(u) * m);
-}
-
-std::optional<Ground> ground_of(const ConvexHull& hull, const Vec3& up) {
-  const std::vector<Vec3> normals = normals_of(hull);
-  std::vector<std::uint8_t> seen(hull.facets.size(), 0);
-  std::optional<Ground> best;
-  double largest = -1;
-  for (Index f = 0; f < hull.facets.size(); ++f) {
-    const double area = area_of(hull, f);
-    if (normals[f].dot(-up) < joins_cosine || area <= largest) continue;
-    largest = area;
-    best = ground_around(hull, normals, f, seen);
-  }
-  return best;
-}
-
-std::vector<RestingPose> resting_poses(const ConvexHull& hull, const Vec3& centre) {
+/// All ways of lying.
+Grounds grounds_of(const ConvexHull& hull, const Vec3& centre) {
   const std::size_t n = hull.facets.size();
   const std::vector<Index> order = largest_first(hull);
-  const std::vector<Vec3> normals = normals_of(hull);
+  const Normals normals(hull);
   constexpr Index none = ~Index{0};
   std::vector<Index> pose_of(n, none);
   std::vector<std::uint8_t> seen(n, 0);
@@ -180,15 +189,48 @@ std::vector<RestingPose> resting_poses(const ConvexHull& hull, const Vec3& centr
                      .area = carried.area,
                      .inside = carried.corners.empty() ? 0 : carried.inside((turn * centre).head<2>())});
   }
+  return {std::move(poses), std::move(pose_of)};
+}
+
+}  // namespace
+
+const ConvexHull& LazyHull::of(const std::vector<Vec3>& vertices) const {
+  std::call_once(made_->once, [&] { made_->hull = convex_hull(vertices); });
+  return made_->hull;
+}
+
+double solid_angle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u = a - p, v = b - p, w = c - p;
+  const double l = u.norm(), m = v.norm(), n = w.norm();
+  return 2 * std::atan2(u.dot(v.cross(w)), l * m * n + u.dot(v) * n + v.dot(w) * l + w.dot(u) * m);
+}
+
+std::optional<Ground> ground_of(const ConvexHull& hull, const Vec3& up) {
+  const NormalsAsAsked normals{hull};
+  std::vector<std::uint8_t> seen(hull.facets.size(), 0);
+  std::optional<Ground> best;
+  double largest = -1;
+  for (Index f = 0; f < hull.facets.size(); ++f) {
+    const double area = area_of(hull, f);
+    if (area <= largest || !normals.within(f, -up, joins_cosine)) continue;
+    largest = area;
+    best = ground_around(hull, normals, f, seen);
+  }
+  return best;
+}
+
+std::vector<RestingPose> resting_poses(const ConvexHull& hull, const Vec3& centre) {
+  Grounds grounds = grounds_of(hull, centre);
+  std::vector<RestingPose>& poses = grounds.poses;
   const std::vector<Index> ends =
-      ends_of_rolling(hull, normals, centre, [&](Index f) { return poses[pose_of[f]].stable(); });
-  for (Index f = 0; f < n; ++f)
-    poses[pose_of[ends[f]]].probability +=
+      ends_of_rolling(hull, centre, [&](Index f) { return grounds.pose(f).stable(); });
+  for (Index f = 0; f < ends.size(); ++f)
+    grounds.pose(ends[f]).probability +=
         solid_angle(centre, hull.corner(f, 0), hull.corner(f, 1), hull.corner(f, 2)) / (4 * std::numbers::pi);
   std::ranges::stable_sort(poses, [](const RestingPose& a, const RestingPose& b) {
     return a.probability != b.probability ? a.probability > b.probability : a.area > b.area;
   });
-  return poses;
+  return std::move(grounds.poses);
 }
 
 }  // namespace kreisel::core
