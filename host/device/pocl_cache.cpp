@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -40,9 +41,16 @@ std::string trouble_with_pocl_cache() {
   if (!std::filesystem::is_directory(path, failed))
     return trouble(std::filesystem::exists(path, failed) ? "is no folder" : "cannot be made");
   const std::filesystem::path probe = path / fmt::format("kreisel-{}.tmp", ::getpid());
-  const bool written = static_cast<bool>(std::ofstream(probe) << "x" << std::flush);
+  const std::string kernel(std::size_t{1} << 20, '\0');  // about what one takes
+  errno = 0;
+  const bool written = static_cast<bool>(std::ofstream(probe) << kernel << std::flush);
+  const bool full = errno == ENOSPC || errno == EDQUOT;
   std::filesystem::remove(probe, failed);
-  return written ? "" : trouble("cannot be written");
+  return written ? "" : trouble(full ? "has no room for a megabyte" : "cannot be written");
+}
+
+void pass_over_empty_pocl_cache() {
+  if (const char* own = std::getenv("POCL_CACHE_DIR"); own && !*own) ::unsetenv("POCL_CACHE_DIR");
 }
 
 }  // namespace kreisel::core::device
