@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -41,12 +41,12 @@ std::string trouble_with_pocl_cache() {
   if (!std::filesystem::is_directory(path, failed))
     return trouble(std::filesystem::exists(path, failed) ? "is no folder" : "cannot be made");
   const std::filesystem::path probe = path / fmt::format("kreisel-{}.tmp", ::getpid());
-  const std::string kernel(std::size_t{1} << 20, '\0');  // about what one takes
-  errno = 0;
-  const bool written = static_cast<bool>(std::ofstream(probe) << kernel << std::flush);
-  const bool full = errno == ENOSPC || errno == EDQUOT;
+  const bool written = static_cast<bool>(std::ofstream(probe) << "x" << std::flush);
   std::filesystem::remove(probe, failed);
-  return written ? "" : trouble(full ? "has no room for a megabyte" : "cannot be written");
+  if (!written) return trouble("cannot be written");
+  constexpr std::uintmax_t kernel = 1 << 20;  // about what one takes
+  const std::filesystem::space_info space = std::filesystem::space(path, failed);
+  return failed || space.available >= kernel ? "" : trouble("has no room for a megabyte");
 }
 
 void pass_over_empty_pocl_cache() {
