@@ -256,13 +256,13 @@ void add_sessions(py::module_& m) {
       .def(
           "part",
           [](Session& s, const Solution& solution, double accuracy, const std::string& cut, double pegs,
-             double drain, bool lay_flat) {
-            const PartSpec spec{accuracy, cut == "none" ? "" : cut, pegs, drain, lay_flat};
+             double drain, bool lay_flat, std::optional<double> tolerance) {
+            const PartSpec spec{accuracy, cut == "none" ? "" : cut, pegs, drain, lay_flat, tolerance};
             return without_gil([&](const Control& control) { return s.part(solution, spec, control); });
           },
           py::arg("solution"), py::kw_only(), py::arg("accuracy") = 0.4, py::arg("cut") = "none",
           py::arg("pegs") = 0.0, py::arg("drain") = 0.0, py::arg("lay_flat") = false,
-          "Meshes, finishes and judges the part; lengths in mm.")
+          py::arg("tolerance") = py::none(), "Meshes, finishes and judges the part; lengths in mm.")
       .def(
           "remedies",
           [](Session& s, const Solution& solution) {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "disjoint_sets.hpp"
 #include "geometry/polygon.hpp"
-#include "mesh/query/sides.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -118,7 +118,7 @@ bool LazyCavities::in(const TriangleMesh& mesh) const {
 
 std::vector<char> DrySpace::vertices(double level) const {
   const std::vector<SectionLoop> loops = loops_at(mesh_, level);
-  const bool hollow = std::ranges::any_of(loops, [](const SectionLoop& l) { return area(l.points) < 0; });
+  const bool hollow = std::ranges::any_of(loops, [](const SectionLoop& l) { return area(l.points) <= 0; });
   if (!hollow && !cavities_.in(mesh_)) return {};
   const auto below = [&](std::uint32_t v) { return mesh_.vertices[v][2] <= level; };
   DisjointSets pieces = joined(mesh_, below);

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "geometry/moved.hpp"
+#include "parallel.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -25,6 +28,16 @@ struct Section {
     xx += c * (p[0] * p[0] + p[0] * q[0] + q[0] * q[0]) / 12;
     yy += c * (p[1] * p[1] + p[1] * q[1] + q[1] * q[1]) / 12;
     xy += c * (p[0] * q[1] + 2 * p[0] * p[1] + 2 * q[0] * q[1] + q[0] * p[1]) / 24;
+  }
+
+  Section& operator+=(const Section& more) {
+    area += more.area;
+    x += more.x;
+    y += more.y;
+    xx += more.xx;
+    yy += more.yy;
+    xy += more.xy;
+    return *this;
   }
 
   [[nodiscard]] Eigen::Matrix2d about_centroid() const {
@@ -48,6 +61,14 @@ struct Submerged {
   double volume = 0, dry = 0;
   Vec3 first = Vec3::Zero();
   Section section;
+
+  Submerged& operator+=(const Submerged& more) {
+    volume += more.volume;
+    dry += more.dry;
+    first += more.first;
+    section += more.section;
+    return *this;
+  }
 };
 
 /// The part of a triangle at z <= 0 as a fan of tetrahedra to the origin, which lies in the waterplane: so
@@ -83,18 +104,29 @@ void add_clipped(const std::array<Vec3, 3>& corner, Submerged& sum) {
 Submerged submerged(const DrySpace& space, const Vec3& origin) {
   const TriangleMesh& mesh = space.mesh();
   const std::vector<char> dry = space.vertices(origin[2]);
-  const auto is_dry = [&](const Triangle& t) {
+  const auto below = [&](std::uint32_t v) { return mesh.vertices[v][2] <= origin[2]; };
+  const auto keeps_out = [&](const Triangle& t) {
+    if (dry.empty()) return false;
     for (const std::uint32_t v : t)
-      if (mesh.vertices[v][2] <= origin[2]) return dry[v] != 0;
+      if (below(v)) return dry[v] != 0;
     return false;
   };
-  Submerged sum, within;
-  for (const Triangle& t : mesh.triangles) {
-    const bool keeps_out = !dry.empty() && is_dry(t);
-    add_clipped({mesh.vertices[t[0]] - origin, mesh.vertices[t[1]] - origin, mesh.vertices[t[2]] - origin},
-                keeps_out ? within : sum);
-  }
-  sum.dry = -within.volume;  // its surface faces into it
+  // In blocks, whose sums are added in their order: threads do not matter to the result.
+  constexpr std::size_t block = 1 << 14;
+  const std::size_t all = mesh.triangles.size();
+  std::vector<Submerged> parts((all + block - 1) / block);
+  parallel_for(parts.size(), [&](std::size_t b) {
+    Submerged within;
+    for (std::size_t i = b * block; i < std::min((b + 1) * block, all); ++i) {
+      const Triangle& t = mesh.triangles[i];
+      if (std::ranges::none_of(t, below)) continue;
+      add_clipped({mesh.vertices[t[0]] - origin, mesh.vertices[t[1]] - origin, mesh.vertices[t[2]] - origin},
+                  keeps_out(t) ? within : parts[b]);
+    }
+    parts[b].dry = -within.volume;  // its surface faces into it
+  });
+  Submerged sum;
+  for (const Submerged& part : parts) sum += part;
   return sum;
 }
 
@@ -136,7 +168,9 @@ std::optional<std::array<double, 2>> rise_to(const DrySpace& space, const Box& b
     at_z = at_next;
   }
   // To round-off all of it is under water.
-  if (seen >= volume * (1 - 1e-12)) return {{low, box.hi[2]}};
+  constexpr double nearly = 1 - 1e-12;
+  if (at_z >= volume * nearly) return {{box.hi[2], box.hi[2]}};
+  if (seen >= volume * nearly) return {{low, box.hi[2]}};
   return {};
 }
 

@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "geometry/rotation.hpp"
 #include "parallel.hpp"
@@ -18,12 +20,36 @@ using Index = std::uint32_t;
 const double joins_cosine = std::cos(ground_degrees * std::numbers::pi / 180);
 const double bends_cosine = std::cos(10 * std::numbers::pi / 180);
 
-/// They are asked for several times each; a hull that is kept has no room for them.
-std::vector<Vec3> normals_of(const ConvexHull& hull) {
-  std::vector<Vec3> normals(hull.facets.size());
-  parallel_for(normals.size(), 1 << 14, [&](std::size_t f) { normals[f] = hull.normal(f); });
-  return normals;
-}
+/// Normals that are asked for several times each. A large hull fills the memory: they are kept in single
+/// precision, which decides all but the nearest cases.
+class Normals {
+ public:
+  explicit Normals(const ConvexHull& hull) : hull_(hull), kept_(hull.facets.size()) {
+    parallel_for(kept_.size(), 1 << 14, [&](std::size_t f) { kept_[f] = hull_.normal(f).cast<float>(); });
+  }
+
+  [[nodiscard]] Vec3 operator[](std::size_t f) const { return hull_.normal(f); }
+  /// Is it turned from a direction by no more than an angle of that cosine?
+  [[nodiscard]] bool within(std::size_t f, const Vec3& direction, double cosine) const {
+    const double rounded = kept_[f].cast<double>().dot(direction);
+    constexpr double unsure = 4 * std::numeric_limits<float>::epsilon();  // three roundings, each of half
+    return std::abs(rounded - cosine) > unsure ? rounded > cosine : hull_.normal(f).dot(direction) >= cosine;
+  }
+
+ private:
+  const ConvexHull& hull_;
+  std::vector<Eigen::Vector3f> kept_;
+};
+
+/// Normals of which few are asked for.
+struct NormalsAsAsked {
+  const ConvexHull& hull;
+
+  [[nodiscard]] Vec3 operator[](std::size_t f) const { return hull.normal(f); }
+  [[nodiscard]] bool within(std::size_t f, const Vec3& direction, double cosine) const {
+    return hull.normal(f).dot(direction) >= cosine;
+  }
+};
 
 double area_of(const ConvexHull& hull, std::size_t f) {
   const Vec3 &a = hull.corner(f, 0), &b = hull.corner(f, 1), &c = hull.corner(f, 2);
@@ -31,9 +57,11 @@ double area_of(const ConvexHull& hull, std::size_t f) {
 }
 
 /// Whether facet f lies in the plane of the ground, as far as one goes; `by` is beside it and does.
-bool joins(const ConvexHull& hull, const Vec3& normal, std::size_t f, std::size_t by, const Ground& ground) {
+template <class Normals>
+bool joins(const ConvexHull& hull, const Normals& normals, std::size_t f, std::size_t by,
+           const Ground& ground) {
   const Vec3& n = ground.down;
-  if (normal.dot(n) < joins_cosine) return false;
+  if (!normals.within(f, n, joins_cosine)) return false;
   const Triangle& known = hull.facets[by];
   for (const std::uint32_t v : hull.facets[f])
     if (v != known[0] && v != known[1] && v != known[2])
@@ -51,7 +79,8 @@ std::vector<Index> largest_first(const ConvexHull& hull) {
 }
 
 /// Of the facets that reach each other from `from`, those that join its plane. Convex, so they hang together.
-Ground ground_around(const ConvexHull& hull, const std::vector<Vec3>& normals, Index from,
+template <class Normals>
+Ground ground_around(const ConvexHull& hull, const Normals& normals, Index from,
                      std::vector<std::uint8_t>& seen) {
   Ground ground;
   ground.facets = {from};
@@ -63,14 +92,14 @@ Ground ground_around(const ConvexHull& hull, const std::vector<Vec3>& normals, I
     for (std::size_t k = 0; k < 3; ++k) {
       const Index next = hull.beside[f][k];
       if (seen[next]) continue;
-      if (joins(hull, normals[next], next, f, ground)) {
+      if (joins(hull, normals, next, f, ground)) {
         seen[next] = 1;
         ground.facets.push_back(next);
         continue;
       }
       const double length = (hull.corner(f, (k + 1) % 3) - hull.corner(f, k)).norm();
       rim += length;
-      if (normals[next].dot(ground.down) > bends_cosine) round += length;
+      if (normals.within(next, ground.down, bends_cosine)) round += length;
     }
   }
   for (const Index f : ground.facets) seen[f] = 0;
@@ -107,8 +136,7 @@ std::optional<Index> rolls_to(const ConvexHull& hull, const Vec3& normal, Index 
 /// Where a body ends that begins to roll on each facet. Ways that meet go on together, so each is gone once:
 /// on a fine round hull they are as long as its facets are many.
 template <class Stable>
-std::vector<Index> ends_of_rolling(const ConvexHull& hull, const std::vector<Vec3>& normals,
-                                   const Vec3& centre, const Stable& stable) {
+std::vector<Index> ends_of_rolling(const ConvexHull& hull, const Vec3& centre, const Stable& stable) {
   constexpr Index unknown = ~Index{0}, under_way = unknown - 1;
   std::vector<Index> ends(hull.facets.size(), unknown), way;
   for (Index f = 0; f < ends.size(); ++f) {
@@ -119,7 +147,7 @@ std::vector<Index> ends_of_rolling(const ConvexHull& hull, const std::vector<Vec
       way.push_back(at);
       ends[at] = under_way;
       if (stable(at)) break;
-      const auto next = rolls_to(hull, normals[at], at, centre);
+      const auto next = rolls_to(hull, hull.normal(at), at, centre);
       // The centre of mass falls with every facet, so none comes twice; round-off may disagree.
       if (!next || ends[*next] == under_way) break;
       at = *next;
@@ -128,6 +156,50 @@ std::vector<Index> ends_of_rolling(const ConvexHull& hull, const std::vector<Vec
     for (const Index passed : way) ends[passed] = end;
   }
   return ends;
+}
+
+/// All grounds, the largest facet's first: visit(facet, up, turn of up to z, outline). @return  by facet the
+/// number of the first ground that it is of
+template <class Visit>
+std::vector<Index> visit_grounds(const ConvexHull& hull, const Visit& visit) {
+  constexpr Index none = ~Index{0};
+  const Normals normals(hull);
+  std::vector<Index> ground_of(hull.facets.size(), none);
+  std::vector<std::uint8_t> seen(ground_of.size(), 0);
+  Index count = 0;
+  for (const Index f : largest_first(hull)) {
+    if (ground_of[f] != none) continue;
+    stop_here();
+    const Ground ground = ground_around(hull, normals, f, seen);
+    for (const Index g : ground.facets)
+      if (ground_of[g] == none) ground_of[g] = count;
+    ++count;
+    const Vec3 up = -ground.down;
+    const Eigen::Matrix3d turn = axis_to_z(up);
+    visit(f, up, turn, outline(hull, ground, turn));
+  }
+  return ground_of;
+}
+
+RestingPose pose_on(Index facet, const Vec3& up, const Eigen::Matrix3d& turn, const SupportPolygon& carried,
+                    const Vec3& centre) {
+  return {.facet = facet,
+          .up = up,
+          .area = carried.area,
+          .inside = carried.corners.empty() ? 0 : carried.inside((turn * centre).head<2>())};
+}
+
+/// Adds the probabilities of poses that have none yet.
+Resting at_rest(const ConvexHull& hull, const std::vector<Index>& ground_of, const Vec3& centre,
+                std::vector<RestingPose> poses) {
+  Resting resting{std::move(poses), {}};
+  resting.ends = ends_of_rolling(hull, centre, [&](Index f) { return resting.poses[ground_of[f]].stable(); });
+  for (Index f = 0; f < resting.ends.size(); ++f) {
+    resting.ends[f] = ground_of[resting.ends[f]];
+    resting.poses[resting.ends[f]].probability +=
+        solid_angle(centre, hull.corner(f, 0), hull.corner(f, 1), hull.corner(f, 2)) / (4 * std::numbers::pi);
+  }
+  return resting;
 }
 
 }  // namespace
@@ -144,13 +216,13 @@ double solid_angle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 std::optional<Ground> ground_of(const ConvexHull& hull, const Vec3& up) {
-  const std::vector<Vec3> normals = normals_of(hull);
+  const NormalsAsAsked normals{hull};
   std::vector<std::uint8_t> seen(hull.facets.size(), 0);
   std::optional<Ground> best;
   double largest = -1;
   for (Index f = 0; f < hull.facets.size(); ++f) {
     const double area = area_of(hull, f);
-    if (normals[f].dot(-up) < joins_cosine || area <= largest) continue;
+    if (area <= largest || !normals.within(f, -up, joins_cosine)) continue;
     largest = area;
     best = ground_around(hull, normals, f, seen);
   }
@@ -166,42 +238,27 @@ Vec3 solid_angle_gradient(const Vec3& p, const Vec3& a, const Vec3& b, const Vec
   return edge(a, b) + edge(b, c) + edge(c, a);
 }
 
-Grounds::Grounds(const ConvexHull& hull)
-    : hull_(hull), normals_(normals_of(hull)), ground_of_(hull.facets.size(), ~Index{0}) {
-  std::vector<std::uint8_t> seen(ground_of_.size(), 0);
-  for (const Index f : largest_first(hull)) {
-    if (ground_of_[f] != ~Index{0}) continue;
-    stop_here();
-    const Ground ground = ground_around(hull, normals_, f, seen);
-    for (const Index g : ground.facets)
-      if (ground_of_[g] == ~Index{0}) ground_of_[g] = static_cast<Index>(grounds_.size());
-    const Vec3 up = -ground.down;
-    const Eigen::Matrix3d turn = axis_to_z(up);
-    grounds_.push_back({f, up, turn, outline(hull, ground, turn)});
-  }
+Grounds::Grounds(const ConvexHull& hull) : hull_(hull) {
+  ground_of_ = visit_grounds(
+      hull, [&](Index facet, const Vec3& up, const Eigen::Matrix3d& turn, SupportPolygon outline) {
+        grounds_.push_back({facet, up, turn, std::move(outline)});
+      });
 }
 
 Resting Grounds::at(const Vec3& centre) const {
-  Resting resting;
-  for (const Carried& g : grounds_)
-    resting.poses.push_back(
-        {.facet = g.facet,
-         .up = g.up,
-         .area = g.outline.area,
-         .inside = g.outline.corners.empty() ? 0 : g.outline.inside((g.turn * centre).head<2>())});
-  resting.ends = ends_of_rolling(hull_, normals_, centre,
-                                 [&](Index f) { return resting.poses[ground_of_[f]].stable(); });
-  for (Index f = 0; f < resting.ends.size(); ++f) {
-    resting.ends[f] = ground_of_[resting.ends[f]];
-    resting.poses[resting.ends[f]].probability +=
-        solid_angle(centre, hull_.corner(f, 0), hull_.corner(f, 1), hull_.corner(f, 2)) /
-        (4 * std::numbers::pi);
-  }
-  return resting;
+  std::vector<RestingPose> poses;
+  for (const Carried& g : grounds_) poses.push_back(pose_on(g.facet, g.up, g.turn, g.outline, centre));
+  return at_rest(hull_, ground_of_, centre, std::move(poses));
 }
 
 std::vector<RestingPose> resting_poses(const ConvexHull& hull, const Vec3& centre) {
-  std::vector<RestingPose> poses = Grounds(hull).at(centre).poses;
+  // As Grounds, but outlines are not kept: a round hull has many.
+  std::vector<RestingPose> poses;
+  const std::vector<Index> ground_of = visit_grounds(
+      hull, [&](Index facet, const Vec3& up, const Eigen::Matrix3d& turn, const SupportPolygon& outline) {
+        poses.push_back(pose_on(facet, up, turn, outline, centre));
+      });
+  poses = at_rest(hull, ground_of, centre, std::move(poses)).poses;
   std::ranges::stable_sort(poses, [](const RestingPose& a, const RestingPose& b) {
     return a.probability != b.probability ? a.probability > b.probability : a.area > b.area;
   });

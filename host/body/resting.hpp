@@ -76,15 +76,14 @@ class Grounds {
   [[nodiscard]] std::size_t count() const { return grounds_.size(); }
 
  private:
-  const ConvexHull& hull_;
-  std::vector<Vec3> normals_;
-  std::vector<std::uint32_t> ground_of_;  ///< by facet
   struct Carried {
     std::uint32_t facet;
     Vec3 up;
     Eigen::Matrix3d turn;  ///< up becomes z
     SupportPolygon outline;
   };
+  const ConvexHull& hull_;
+  std::vector<std::uint32_t> ground_of_;  ///< by facet
   std::vector<Carried> grounds_;
 };
 

@@ -99,10 +99,11 @@ void require_known_source(const BodySpec& spec) {
   require_mending_wanted(spec);
 }
 
-void require_unit_said(const BodySpec& spec, double longest) {
+void require_unit_said(const BodySpec& spec, const Source& solid) {
   constexpr double pea = 5, table = 1000;
-  if (spec.unit || spec.size || (longest >= pea && longest <= table)) return;
-  if (is_known(spec.model) || mesh_format(spec.model).has_unit) return;
+  if (spec.unit || spec.size || is_known(spec.model) || mesh_format(spec.model).has_unit) return;
+  const double longest = bounding_box(solid.mesh).extent().maxCoeff();
+  if (longest >= pea && longest <= table) return;
   std::string sizes;
   for (const LengthUnit& unit : length_units())
     sizes +=

@@ -70,9 +70,9 @@ void require_known_source(const BodySpec& spec);
 
 /// Whether its numbers are mm, nobody has said of such a file: what would be smaller than a pea or larger
 /// than a table is more likely in another unit.
-/// @param longest  side of the body, mm
-/// @throws InputError  longest below 5 or above 1000, of a file that says no unit, with neither unit nor size
-///                     given: names what each would give
-void require_unit_said(const BodySpec& spec, double longest);
+/// @param solid  load_solid(spec)
+/// @throws InputError  its longest side is below 5 or above 1000, of a file that says no unit, with neither
+///                     unit nor size given: names what each would give
+void require_unit_said(const BodySpec& spec, const Source& solid);
 
 }  // namespace kreisel::core

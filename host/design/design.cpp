@@ -163,7 +163,6 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
   RunConfig config = spec.config;
   config.wall.to_corners = true;  // a voxel whose centre keeps the wall would stick out into it
   SolvedRun run(session, config, control);
-  require_unit_said(spec.config.body, bounding_box(run.body().mesh).extent().maxCoeff());
   require_printable(run.result, spec.printer_accuracy);
   run.solve(control);
   if (run.result.config.certify > 0) run.certify(control);
@@ -261,9 +260,17 @@ Design make_none(Session& session, const DesignSpec& spec, const FoundPoses& fou
   return design;
 }
 
+/// First of all: in another unit, what else is wrong may be right.
+void require_unit_said(Session& session, const RunConfig& config, const Control& control) {
+  const StopScope scope(control.stop);
+  control.tell("read the mesh");
+  require_unit_said(config.body, *session.solid(config));
+}
+
 }  // namespace
 
 Design make_design(Session& session, const DesignSpec& spec, const Control& control) {
+  require_unit_said(session, spec.config, control);
   if (!leaves_open(spec.config)) return make_posed(session, spec, control);
   // The search's domain is coarse: the best there may miss by a little on the part's own, the next does not.
   constexpr std::size_t most_parts = 4;

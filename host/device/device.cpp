@@ -58,6 +58,7 @@ void require_memory() {
 
 std::vector<Found> find_all() {
   require_memory();
+  pass_over_empty_pocl_cache();
   std::vector<Found> found;
   std::vector<cl::Platform> platforms;
   try {
@@ -88,8 +89,8 @@ bool mentions(const Info& info, std::string_view part) {
   const std::string wanted = lower(part);
   return lower(info.name).find(wanted) != std::string::npos ||
          lower(info.platform).find(wanted) != std::string::npos ||
-         (wanted == "pocl" && info.platform == "Portable Computing Language") ||
-         (wanted == "gpu" && info.gpu) || (wanted == "cpu" && !info.gpu);
+         (wanted == "pocl" && info.platform == pocl) || (wanted == "gpu" && info.gpu) ||
+         (wanted == "cpu" && !info.gpu);
 }
 
 std::optional<int> as_index(std::string_view text) {
@@ -145,6 +146,9 @@ Device::Device(std::string_view selector, Precision precision) {
   const Found& chosen = pick(all, selector.empty() && environment ? environment : selector);
   info_ = chosen.info;
   device_ = chosen.handle;
+  // Where PoCL cannot write a kernel it ends the program, and does not say which folder it is.
+  if (info_.platform == pocl)
+    if (const std::string trouble = trouble_with_pocl_cache(); !trouble.empty()) throw InputError(trouble);
   single_ = precision == Precision::single || !info_.fp64;
   checked("opening " + info_.name, [&] {
     lanes_ = lanes_of(device_, single_);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -42,7 +43,14 @@ std::string trouble_with_pocl_cache() {
   const std::filesystem::path probe = path / fmt::format("kreisel-{}.tmp", ::getpid());
   const bool written = static_cast<bool>(std::ofstream(probe) << "x" << std::flush);
   std::filesystem::remove(probe, failed);
-  return written ? "" : trouble("cannot be written");
+  if (!written) return trouble("cannot be written");
+  constexpr std::uintmax_t kernel = 1 << 20;  // about what one takes
+  const std::filesystem::space_info space = std::filesystem::space(path, failed);
+  return failed || space.available >= kernel ? "" : trouble("has no room for a megabyte");
+}
+
+void pass_over_empty_pocl_cache() {
+  if (const char* own = std::getenv("POCL_CACHE_DIR"); own && !*own) ::unsetenv("POCL_CACHE_DIR");
 }
 
 }  // namespace kreisel::core::device

@@ -87,9 +87,8 @@ cl::Program build_source(const Device& device, std::string_view name, std::strin
   try {
     program.build({device.handle()}, options.c_str());
   } catch (const cl::Error& error) {
-    const bool pocl = device.info().platform == "Portable Computing Language";
-    if (const std::string trouble = pocl ? trouble_with_pocl_cache() : ""; !trouble.empty())
-      throw InputError(trouble);
+    if (device.info().platform == pocl)
+      if (const std::string trouble = trouble_with_pocl_cache(); !trouble.empty()) throw InputError(trouble);
     std::string log;
     try {
       log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.handle());

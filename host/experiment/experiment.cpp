@@ -1,7 +1,6 @@
 #include "experiment/experiment.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +14,7 @@
 #include "table/data_folder.hpp"
 #include "table/layout.hpp"
 #include "table/table_kinds.hpp"
+#include "toml.hpp"
 #include "unknown_name.hpp"
 
 namespace kreisel::core {
@@ -60,13 +60,7 @@ class Parser {
   Parser(std::string_view text, const fs::path& file) : file_(file.string()) {
     experiment_.name = experiment_.title = file.stem().string();
     experiment_.about = opening_comment(text);
-    try {
-      root_ = toml::parse(text);
-    } catch (const toml::parse_error& error) {
-      std::string what(error.description());
-      std::replace(what.begin(), what.end(), '\n', ' ');
-      fail(error.source().begin.line, fmt::format("{}, expected TOML", what));
-    }
+    root_ = parse_toml(text, file_);
   }
 
   Experiment parse() {

@@ -94,8 +94,11 @@ double zero(const Function& f, double end, double tolerance) {
 double stay_deep(const SurfaceDistance& distance, const TriangleMesh& mesh, const Vec3& p, const Vec3& d,
                  double end, double wall, double tolerance) {
   while (const auto near = distance.nearest(p + end * d, wall - tolerance)) {
-    const auto& [a, b, c] = corners_of(mesh, mesh.triangles[*near]);
-    end = zero([&](double s) { return distance_to_triangle(p + s * d, a, b, c) - wall; }, end, tolerance / 2);
+    const auto corners = corners_of(mesh, mesh.triangles[*near]);
+    const auto depth = [&](const Vec3& at) {
+      return distance_to_triangle(at, corners[0], corners[1], corners[2]);
+    };
+    end = zero([&](double s) { return depth(p + s * d) - wall; }, end, tolerance / 2);
   }
   return end;
 }

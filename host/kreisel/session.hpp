@@ -95,6 +95,9 @@ struct PartSpec {
   double pegs = 0;   ///< radius of pins that align the halves of a cut, mm
   double drain = 0;  ///< radius of a hole into every void, mm
   bool lay_flat = false;  ///< pieces of a cut beside each other, each on its cut
+  /// How far the surface of voids may be off for fewer triangles, mm; nothing: a tenth of the accuracy; 0:
+  /// every triangle stays.
+  std::optional<double> tolerance = {};
 };
 
 /// What is printed or cast, in memory.

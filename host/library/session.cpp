@@ -177,6 +177,7 @@ Part Session::part(const Solution& solution, const PartSpec& spec, const Control
   design.config = core::config_of(solution.question);
   design.config.certify = 0;
   design.printer_accuracy = spec.accuracy;
+  design.tolerance = spec.tolerance;
   design.cut = spec.cut;
   design.peg_radius = spec.pegs;
   design.drain_radius = spec.drain;

@@ -14,6 +14,13 @@
 
 namespace kreisel::core {
 
+namespace {
+
+/// By how much less than it displaces under water a body may weigh and be at home at any depth.
+constexpr double hovers = 1e-6;
+
+}  // namespace
+
 Float::Float(const Draft& draft) : draft_(draft) {
   constraints_.matrix.setZero(3, 10);
   constraints_.matrix(0, S1) = constraints_.matrix(1, SX) = constraints_.matrix(2, SY) = 1;
@@ -113,7 +120,6 @@ Verdict Float::verify_at_rest(const Moments& part, double length_mm) const {
   const Moments s = part + draft_.load;
   const double volume = s[S1] / draft_.mass * draft_.water.volume;
   const double most = most_displaced(*draft_.hull);
-  constexpr double hovers = 1e-6;  // of as much as it displaces under water: it is at home at any depth
   if (volume > (1 + hovers) * most) verdict.text += "; left to itself it sinks";
   if (volume > (1 - hovers) * most) return verdict;
   const RestAfloat rest = rest_afloat({*draft_.hull, centre_of_mass(s), volume});
@@ -208,11 +214,12 @@ double waterline_for(const DraftSpec& draft, const Body& body, double fluid, dou
       if (const auto waterline = waterline_of(body.local, body.solid[S1] * grams / submerged, body.cavities);
           waterline && box.hi[2] - *waterline > 1e-9 * height)
         return *waterline;
+      const double most = most_displaced(body.local) / body.solid[S1] * submerged;
       throw InputError(fmt::format(
-          "problem.draft = {}: {} sinks with {:.4g} g; expected less "
-          "than the {:.4g} g of "
-          "fluid that it can displace",
-          text_of(draft), body.name, grams, most_displaced(body.local) / body.solid[S1] * submerged));
+          "problem.draft = {}: {} {} with {:.4g} g; expected less than the {:.4g} g of fluid that it can "
+          "displace",
+          text_of(draft), body.name, grams > (1 + hovers) * most ? "sinks" : "hovers under water", grams,
+          most));
     }
     case DraftSpec::depth:
       if (draft.value <= height * body.frame.length) return box.lo[2] + draft.value / body.frame.length;
@@ -254,7 +261,6 @@ Moments moments_of(const std::vector<Load>& loads, const Body& body) {
 std::unique_ptr<Problem> make_float(const Settings& settings, const Body& body) {
   const auto [draft, fluid, loads] = settings_as<FloatSettings>(settings);
   Draft result;
-  result.hull = std::make_shared<const TriangleMesh>(body.local);
   result.sought = draft.sought;
   result.load = moments_of(loads, body);
   result.water = hydrostatics(
@@ -268,6 +274,7 @@ std::unique_ptr<Problem> make_float(const Settings& settings, const Body& body) 
   constexpr double boat = 0.01;  // of the displaced: hardly what the folds of a scan hold
   if (result.water.dry > boat * result.water.volume)
     result.floods_at = flooding_heel(body.local, result.water.volume, result.water.least_axis);
+  result.hull = std::make_shared<const TriangleMesh>(body.local);
   return std::make_unique<Float>(result);
 }
 

@@ -99,14 +99,15 @@ Inspection inspect(Source source, const BodySpec& spec, const Control& control) 
     const std::vector<Piece> pieces = std::move(source.pieces);
     Body body = make_body(spec, std::move(source));
     seen.repairs = body.repairs;
-    body.local = {};
+    body.local = {};  // a large mesh fills the memory, and what does not stand upright is judged by moments
     kreisel::SolidReport solid = solid_of(body);
-    body.local = to_body(body.frame, body.mesh);
     double volume = 0;
     for (const Piece& piece : pieces) volume += piece.volume;
     for (const Piece& piece : pieces) solid.pieces.push_back(solid.mass * piece.volume / volume);
     add_verdicts(solid.verdicts, body, false);
-    body = reposed(std::move(body), upright);  // not beside each other: a large mesh fills the memory
+    body = reposed(std::move(body), upright);
+    body.local = to_body(body.frame, body.mesh);
+    body.mesh = {};  // its hull is made
     add_verdicts(solid.verdicts, body, true);
     seen.solid = std::move(solid);
   } catch (const InputError& error) {

@@ -3,12 +3,11 @@
 
 #include <string>
 
+#include "problem/problem.hpp"
 #include "session/config.hpp"
 #include "session/pipeline.hpp"
 
 namespace kreisel::core {
-
-class Problem;
 
 /// Tries, one at a time and all else as it is: a thinner wall; voids (or, where those are the heavier, an
 /// interior) of less density; an interior (or filling) of more; and parts of the interior of a heavier

@@ -68,13 +68,16 @@ std::shared_ptr<device::Device> Session::device_of(const Asked& question) {
   });
 }
 
+std::shared_ptr<const Source> Session::solid(const Asked& question) {
+  if (given_) return given_;
+  const BodySpec& given = question.body;
+  return stage("mesh", source_, {given.model, given.fineness, given.unit, given.mending},
+               [&] { return std::make_shared<const Source>(load_solid(given)); });
+}
+
 std::shared_ptr<const Body> Session::body_of(const Asked& question, const BodySpec& spec,
                                              const std::shared_ptr<device::Device>& device) {
-  const BodySpec& given = question.body;
-  const std::shared_ptr<const Source> source =
-      given_ ? given_ : stage("mesh", source_, {given.model, given.fineness, given.unit, given.mending}, [&] {
-        return std::make_shared<const Source>(load_solid(given));
-      });
+  const std::shared_ptr<const Source> source = solid(question);
   std::optional<BodySpec> shaped;
   if (spec.shaped_along_axis()) shaped = spec;
   return stage("body", body_, {source, device, spec.size, shaped}, [&] {

@@ -58,6 +58,11 @@ class Session {
   /// @param solid  a solid's mesh, with what is known of it (load_solid)
   Session(std::shared_ptr<const Source> solid, std::shared_ptr<device::Device> device);
 
+  /// The solid that the question is of: its mesh alone, with nothing else of the question judged. No device
+  /// is opened.
+  /// @throws InputError  no such mesh, or no solid
+  [[nodiscard]] std::shared_ptr<const Source> solid(const Asked& question);
+
   /// Everything that the question stands on.
   /// @throws InputError   bad configuration or mesh
   /// @throws Interrupted  between two stages; those made are kept

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "error.hpp"
@@ -284,16 +286,13 @@ Layout read_layout(const toml::table& table, const std::string& name, const std:
 }
 
 Layout find_layout(const std::string& name) {
-  try {
-    if (const fs::path file = file_of(name); !file.empty())
-      return read_layout(toml::parse_file(file.string()), name, file.string());
-  } catch (const toml::parse_error& error) {
-    std::string what(error.description());
-    std::replace(what.begin(), what.end(), '\n', ' ');
-    throw InputError(fmt::format("{}: line {}: {}, expected TOML", file_of(name).string(),
-                                 error.source().begin.line, what));
+  if (const fs::path file = file_of(name); !file.empty()) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw InputError(fmt::format("{}: cannot be opened, expected a table", file.string()));
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    return read_layout(parse_toml(text, file.string()), name, file.string());
   }
-  if (name == "runs") return read_layout(toml::parse(runs_layout), name, "the table of runs");
+  if (name == "runs") return read_layout(parse_toml(runs_layout, name), name, "the table of runs");
   throw unknown_name("table", name, layout_names());
 }
 

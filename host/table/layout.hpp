@@ -1,8 +1,6 @@
 // layout.hpp - how a table sets runs out, as data: experiments/tables/NAME.toml, or [table] of an experiment.
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "table/row.hpp"
+#include "toml.hpp"
 
 namespace kreisel::core {
 

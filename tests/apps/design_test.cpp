@@ -254,6 +254,23 @@ TEST_F(Design, AFileTooSmallOrLargeToBeInMillimetresIsAskedForItsUnit) {
   }
 }
 
+TEST_F(Design, TheUnitIsAskedForBeforeAnythingElseIsJudged) {
+  // Of a body of 0.06 mm each of these is wrong: too thick, too fine, out of reach, or nothing to stand on.
+  write_mesh(file("part.off"), {box_mesh({0, 0, 0}, {0.06, 0.06, 0.03})});
+  for (const std::string options :
+       {"spin --wall 1.2mm", "spin --wall 1.2mm --resolution 2", "spin --contact 5,5,5", "spin --axis auto",
+        "spin --stem 30", "spin --cut 0,0,1,9 --pegs 2", "spin --mould", "spin --pegs 2", "yoyo --axle 3",
+        "stand --up 1,1,1", "stand --up auto --wall 1.2mm", "stand --flatten 2", "stand --drain 3",
+        "float --draft 30", "float --draft auto", "float --load 20@0,0,5", "balance --point 9,9,9",
+        "hang --point 9,9,9"}) {
+    const BenchAnswer a = design(fmt::format("{} {} -o {}", options, file("part.off"), file("part.stl")));
+    EXPECT_EQ(a.code, 2) << options << '\n' << a.out;
+    EXPECT_NE(a.out.find("does not say in what unit"), std::string::npos) << options << '\n' << a.out;
+    EXPECT_EQ(std::ranges::count(a.out, '\n'), 1) << options << '\n' << a.out;
+    EXPECT_FALSE(fs::exists(file("part.stl"))) << options;
+  }
+}
+
 TEST_F(Design, DoesNotWriteOverAFileUnasked) {
   folder_.write("part.stl", "mine");
   const BenchAnswer a = design(fmt::format("spin ellipsoid -o {} --resolution 24", file("part.stl")));

@@ -67,6 +67,22 @@ TEST_F(Endings, AFolderThatPoclCannotWriteIsNamed) {
   }
 }
 
+TEST_F(Endings, AnEmptyNameOfPoclsFolderIsAsNone) {
+  const BenchAnswer a = bench(tiny, "POCL_CACHE_DIR=''");
+  EXPECT_EQ(a.code, 0) << a.out;
+}
+
+TEST_F(Endings, AFolderOfPoclWithoutRoomIsNamed) {
+  // A file system of its own, for who may mount one.
+  const BenchAnswer a = bench(
+      tiny, fmt::format("mkdir -p '{0}' && unshare -rm sh -c 'mount -t tmpfs -o size=64k none \"$1\" && "
+                        "shift && exec \"$@\"' - '{0}' env POCL_CACHE_DIR='{0}' KREISEL_CACHE_DIR='{1}'",
+                        file("full"), file("own")));
+  if (a.code == 1 || a.code == 32) GTEST_SKIP() << "nothing may be mounted here: " << a.out;
+  EXPECT_EQ(a.code, 2) << a.out;
+  EXPECT_NE(a.out.find(file("full") + " by POCL_CACHE_DIR, has no room"), std::string::npos) << a.out;
+}
+
 TEST_F(Endings, ADeviceWithoutDoublePrecisionWorksAndSaysSo) {
   const BenchAnswer a = bench(fmt::format("{} --precision single", tiny));
   EXPECT_EQ(a.code, 0) << a.out;

@@ -260,6 +260,8 @@ class BenchExperiment : public ::testing::Test {
 
 TEST_F(BenchExperiment, ThatIsNoTomlSaysFileLineAndWhat) {
   refuses("[[run]]\nmodel = \"ellipsoid\n", "trial.toml: line 2: ", "expected TOML");
+  refuses("# a name that is none\n[[run]]\n[ = ]\n", "trial.toml: line 3: no name of a table or key",
+          "expected TOML");
   refuses("model =\n[[run]]\n", "trial.toml: line 1: ", "expected value");
   refuses("", "trial.toml: line 1: ", "expected at least one [[run]]");
 }

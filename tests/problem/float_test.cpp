@@ -165,7 +165,8 @@ TEST(MakeFloat, RefusesAMassThatSinksAndSaysWhatTheBodyDisplaces) {
   expect_refused("float", {{"draft", "126g"}}, barge(), "125 g of fluid");
   expect_refused("float", {{"draft", "solid"}}, barge(3),
                  "sinks with 375 g; expected less than the 125 g of fluid");
-  expect_refused("float", {{"draft", "solid"}}, barge(1), "sinks");  // as heavy as water: no waterline
+  expect_refused("float", {{"draft", "solid"}}, barge(1),
+                 "test hovers under water with 125 g; expected less than the 125 g of fluid");
 }
 
 TEST(Float, ALoadIsPartOfWhatFloats) {

@@ -53,6 +53,16 @@ class OfASession : public testing::Test {
   Session session_;
 };
 
+TEST_F(OfASession, TheSolidAloneIsReadOnceAndNothingElseOfTheQuestionIsJudged) {
+  RunConfig config = question();
+  config.device = "none of that name";
+  config.wall = {1000, Wall::millimetres};
+  const std::shared_ptr<const Source> solid = session_.solid(config);
+  EXPECT_EQ(solid->mesh.triangles, load_solid(config.body).mesh.triangles);
+  EXPECT_EQ(session_.solid(question()), solid);
+  same_as_cold(question(), {"device", "body", "domain", "problem", "formulation"});
+}
+
 TEST_F(OfASession, TheFirstQuestionMakesAllAndTheSameAgainNothing) {
   same_as_cold(question(), {"device", "mesh", "body", "domain", "problem", "formulation"});
   same_as_cold(question(), {});

@@ -64,13 +64,16 @@ bool is_text(const MeshFile& file) {
 }
 
 MeshReading read_binary(const MeshFile& file) {
-  const std::uint64_t want = binary_length(file.bytes);
-  if (file.bytes.size() != want)
-    throw InputError(fmt::format("{}: binary STL of {} bytes, expected {} by its facet count", file.name,
-                                 file.bytes.size(), want));
+  const std::uint64_t size = file.bytes.size(), want = binary_length(file.bytes);
+  // Some programs write a little behind the facets. What would be a facet makes the count doubtful.
+  if (size < want || size >= want + facet_bytes)
+    throw InputError(
+        fmt::format("{}: binary STL of {} bytes, expected {} by its facet count", file.name, size, want));
   MeshReading reading;
+  if (size > want)
+    reading.notes.push_back(fmt::format("passed over {} bytes behind the facets", size - want));
   TriangleMesh& mesh = reading.mesh;
-  const std::size_t facets = (file.bytes.size() - header_bytes - count_bytes) / facet_bytes;
+  const std::size_t facets = (want - header_bytes - count_bytes) / facet_bytes;
   mesh.triangles.reserve(facets);
   CornerMerge corner(mesh, facets / 2 + 2);  // as many as a ball has
   for (std::size_t f = 0; f < facets; ++f) {

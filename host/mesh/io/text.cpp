@@ -104,7 +104,7 @@ double Digits::weld(double largest) const {
   const double before_point = std::floor(std::log10(largest)) + 1;
   const double unit = std::pow(10, fixed ? -decimals_ : before_point - std::clamp(most_, usual, of_double));
   const double weld = 1.8 * std::min(unit, 1e-4 * largest);  // sqrt(3), and the round-off of reading them
-  return most_ > of_float ? weld : std::max(weld, weld_of_binary(largest, float_bits));
+  return std::max(weld, weld_of_binary(largest, most_ > of_float ? bits : float_bits));
 }
 
 double weld_of_binary(double largest, int bits) {

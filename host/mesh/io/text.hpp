@@ -43,8 +43,8 @@ class Digits {
   /// Numbers that are all floats are that: in double or with many digits, they are a program's that has
   /// floats. Else of text: sqrt(3) units of the last place, where all have the same number of decimals; or
   /// else of what the longest has, but six digits at least, which is what programs write that do not write
-  /// more. Of nine digits or fewer, which is what floats take, no less than of floats. A unit is no more than
-  /// 1e-4 of the largest: two decimals of an inch are no round-off; nor are whole numbers.
+  /// more. No less than of doubles, or of floats where nine digits, which those take, are most. A unit is no
+  /// more than 1e-4 of the largest: two decimals of an inch are no round-off; nor are whole numbers.
   [[nodiscard]] double weld(double largest) const;
 
  private:

@@ -178,11 +178,20 @@ class Collapser {
     return common == 2 && around_.size() > 3;
   }
 
-  /// Whether a point lies as near to a triangle as it must.
-  [[nodiscard]] bool stands_for(const std::array<Vec3, 3>& t, const Vec3& normal, const Vec3& p) const {
+  struct Moved {
+    Index triangle;
+    std::array<Vec3, 3> corners;
+    Vec3 normal;
+  };
+
+  /// Whether a point lies as near to a triangle as it must. Most that do not are far from its plane.
+  [[nodiscard]] bool stands_for(const Moved& t, const Vec3& p) const {
+    const auto& [a, b, c] = t.corners;
     // A point on the side of the normals shows that the surface has moved to the other.
-    const double allowed = (p - t[0]).dot(normal) > 0 ? tolerance_.against : tolerance_.along;
-    return distance_to_triangle(p, t[0], t[1], t[2]) <= allowed;
+    const double height = (p - a).dot(t.normal);
+    const double allowed = height > 0 ? tolerance_.against : tolerance_.along;
+    if (height * height > allowed * allowed * t.normal.squaredNorm()) return false;
+    return stands_on_triangle(p, a, b, c, t.normal) || distance_to_triangle(p, a, b, c) <= allowed;
   }
 
   /// Whether v may be moved to its neighbour u. Leaves in `moved_` what its triangles become, in `homes_`
@@ -215,7 +224,7 @@ class Collapser {
 
   [[nodiscard]] bool find_home(Index p) {
     for (const Moved& now : moved_)
-      if (stands_for(now.corners, now.normal, vertices_[p])) {
+      if (stands_for(now, vertices_[p])) {
         homes_.push_back({p, now.triangle});
         return true;
       }
@@ -250,11 +259,6 @@ class Collapser {
     errors_[u].add(errors_[v]);
   }
 
-  struct Moved {
-    Index triangle;
-    std::array<Vec3, 3> corners;
-    Vec3 normal;
-  };
   struct Home {
     Index point, triangle;
   };
@@ -298,14 +302,14 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SurfaceTolerance& tolera
   // A chord is off by an eighth of its square in the curvature, a vertex from its neighbour's plane by half
   // of it.
   const double planes = std::pow(4 * most, 2);
-  const std::size_t few = mesh.vertices.size() / 200;
+  const std::size_t few = mesh.vertices.size() / 100;
   std::vector<std::uint8_t> stays(mesh.vertices.size(), 0);
   constexpr int most_tries = 4;
   for (int tries = 0; tries < most_tries; ++tries) {
     const std::vector<std::uint8_t> held = stays;
     Collapser collapser(mesh, tolerance, held);
     for (const double share : {1.0 / 256, 1.0 / 64, 1.0 / 16, 1.0 / 4, 1.0}) collapser.pass(share * planes);
-    for (int more = 0; more < 8 && collapser.pass(planes) > few; ++more) {
+    while (collapser.pass(planes) > few) {
     }
     TriangleMesh result = collapser.mesh(mesh);
     const std::vector<Index> faulty = faults(result, keeps);

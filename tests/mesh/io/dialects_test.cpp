@@ -243,13 +243,16 @@ double weld_of(const std::vector<std::string>& numbers, double largest) {
 }
 
 constexpr double float_step = std::numeric_limits<float>::epsilon();  // at 1
+constexpr double double_step = std::numeric_limits<double>::epsilon();
 
 TEST(DigitsOfAFile, SayWhatItCannotTellApart) {
   EXPECT_DOUBLE_EQ(weld_of({"12.345", "0.100", "-7.000"}, 12.345), 1.8e-3);  // three decimals everywhere
   EXPECT_DOUBLE_EQ(weld_of({"1.234567e+01", "5.000000e-17"}, 12.34567), 1.8e-5);
   EXPECT_DOUBLE_EQ(weld_of({"12.3457", "0.333333", "20"}, 20), 1.8e-4);  // six digits, as many programs write
   EXPECT_DOUBLE_EQ(weld_of({"20", "0", "-5e-17"}, 20), 1.8e-4);          // short numbers of one that has six
-  EXPECT_DOUBLE_EQ(weld_of({"0.12345678901234567", "20"}, 20), 1.8e-15);
+  EXPECT_DOUBLE_EQ(weld_of({"0.12345678901234", "20"}, 20), 1.8e-12);
+  EXPECT_DOUBLE_EQ(weld_of({"0.12345678901234567", "20"}, 20),
+                   16 * 4 * double_step);                            // no finer than doubles
   EXPECT_DOUBLE_EQ(weld_of({"0.12", "1.53"}, 1.53), 1.8e-4 * 1.53);  // of inches, say: no round-off
   EXPECT_DOUBLE_EQ(weld_of({"0.123456789", "1"}, 1), 4 * float_step);
   EXPECT_EQ(weld_of({"100000001", "7"}, 100000001), 0);  // whole numbers, and more than floats have
@@ -264,7 +267,7 @@ TEST(DigitsOfAFile, AreThoseOfFloatsWhereAllAreFloats) {
   twice.see(0.1);
   EXPECT_EQ(single.weld(1.99), 4 * float_step);
   EXPECT_EQ(single.weld(100), 64 * 4 * float_step);
-  EXPECT_EQ(twice.weld(1), 4 * std::numeric_limits<double>::epsilon());
+  EXPECT_EQ(twice.weld(1), 4 * double_step);
 }
 
 }  // namespace THIS_FILE

@@ -134,7 +134,15 @@ TEST_F(ReadMesh, NamesExpectedAndFoundLengthOfCutOffBinaryStl) {
   refuses(file("a.stl", whole.substr(0, 150)), {"150", "184"});
   refuses(file("b.stl", whole.substr(0, 60)), {"60", "84"});
   refuses(file("c.stl", binary_stl("solid cut", {one_facet}).substr(0, 100)), {"100", "134"});
-  refuses(file("d.stl", whole + "x"), {"185", "184"});
+}
+
+TEST_F(ReadMesh, PassesOverALittleBehindTheFacetsOfBinaryStlAndTells) {
+  const std::string whole = binary_stl("padded", {one_facet, one_facet});
+  const MeshReading reading = read_mesh_file(file("a.stl", whole + std::string(49, '\0')));
+  EXPECT_EQ(reading.mesh.triangles.size(), 2u);
+  EXPECT_EQ(reading.notes, std::vector<std::string>{"passed over 49 bytes behind the facets"});
+  EXPECT_TRUE(read_mesh_file(file("b.stl", whole)).notes.empty());
+  refuses(file("c.stl", whole + std::string(50, '\0')), {"234", "184"});  // a facet that is not counted
 }
 
 TEST_F(ReadMesh, ShowsJunkInAMessageAsShortPrintableText) {
