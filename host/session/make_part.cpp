@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "fabricate/verify.hpp"
@@ -89,8 +90,8 @@ MadePart round_to_voxels(SolvedRun& run, bool fit, const PartOptions& options) {
 }
 
 /// Meshes what the optimal quadric leaves. A mesh and a sum over rays sample the same shape differently; to
-/// fit, what they differ by is added to what is fixed and the problem solved again, until the mesh itself
-/// meets the constraints.
+/// fit, what they differ by is added to what is fixed and the problem solved again, until the mesh itself, or
+/// what is printed of it, meets the constraints.
 MadePart mesh_inside(SolvedRun& run, bool fit, const PartOptions& options) {
   const Body& body = run.body();
   const Problem& problem = run.problem();
@@ -99,29 +100,40 @@ MadePart mesh_inside(SolvedRun& run, bool fit, const PartOptions& options) {
   const CavityMesher mesher(body, r.wall, std::min(r.grid.h, r.wall / 2));
   const double least_void = body.one_material() ? options.least_void / std::pow(r.length_mm, 3) : 0;
   constexpr double met = 1e-6;  // a thousandth of what a verdict asks for
-  constexpr int most_corrections = 3;
-  MassModel seen = run.mass();  // the mesh's moments in place of the rays'
+  const int most_corrections = options.printed ? 7 : 3;
+  constexpr int most_in_vain = 2;  // of a print, which is no smooth function of the mesh
+  MassModel seen = run.mass();     // the mesh's moments, or the print's, in place of the rays'
   std::vector<double> x = r.outcome.x;
+  std::optional<MadePart> best;
+  double least = 0;
   for (int corrections = 0;; ++corrections) {
     Inside inside = inside_of(body, mesher, Moments(x.data()));
     if (least_void > 0) inside.voids = without_small_shells(inside.voids, least_void);
     MadePart made = made_of(body, std::move(inside), options);
     const Moments whole = options.finish ? moments_of(body, made.parts) : moments_of(body, made.inside);
-    r.rounding = {};
-    r.rounding.moments = whole;
-    r.rounding.objective = problem.value(whole);
-    r.rounding.violation = violation(problem, whole);
-    r.rounding.corrections = corrections;
-    if (!fit || r.rounding.violation <= met || corrections == most_corrections) return made;
+    const PrintedMoments counted = options.printed ? options.printed(made.parts) : PrintedMoments{whole};
+    const double missed = violation(problem, counted.moments);
+    if (!best || missed < least || counted.met || !options.printed) {
+      r.rounding = {};
+      r.rounding.moments = whole;
+      r.rounding.objective = problem.value(whole);
+      r.rounding.violation = violation(problem, whole);
+      r.rounding.corrections = corrections;
+      best = std::move(made);
+      least = missed;
+    }
+    if (!fit || counted.met || missed <= met || corrections == most_corrections ||
+        corrections - r.rounding.corrections >= most_in_vain)
+      return std::move(*best);
     run.stop_if_asked();
     const Task task = run.task_with(seen);
-    seen.fixed += whole - seen.total(task.formulation.moments(x));
+    seen.fixed += counted.moments - seen.total(task.formulation.moments(x));
     const Outcome again = [&] {
       const StopScope left_to_the_solver({});  // nothing may be thrown through a library's
       return solve(run.solver(), task, run.options());
     }();
     run.stop_if_asked();
-    if (again.termination != Termination::optimal) return made;
+    if (again.termination != Termination::optimal) return std::move(*best);
     x = again.x;
   }
 }

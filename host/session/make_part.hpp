@@ -15,6 +15,12 @@ struct PartMeshes {
   std::vector<MaterialPart> solids = {};  ///< that are written
 };
 
+/// Of a print: body frame and units.
+struct PrintedMoments {
+  Moments moments;
+  bool met = false;  ///< near enough to what was asked: no further correction is tried
+};
+
 /// What else is done to a part.
 struct PartOptions {
   /// Voids and islands smaller than this are left out, mm^3. Of quadrics and one material.
@@ -22,6 +28,9 @@ struct PartOptions {
   /// Makes the solids that are written of the part's, as by cutting it. Model coordinates, mm. What this
   /// changes of the moments is made up for like what meshing changes.
   std::function<std::vector<MaterialPart>(const std::vector<MaterialPart>&)> finish = {};
+  /// What a printer makes of the solids. Where there is one, that is to meet the constraints, not the mesh:
+  /// it is asked once a correction, and the best part is kept. Of quadrics.
+  std::function<PrintedMoments(const std::vector<MaterialPart>&)> printed = {};
 };
 
 /// Fills in what the run's result says of its part.
