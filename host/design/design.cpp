@@ -173,6 +173,9 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
   SolvedRun run(session, config, control);
   require_unit_said(spec.config.body, bounding_box(run.body().mesh).extent().maxCoeff());
   require_printable(run.result, spec.printer_accuracy);
+  const Body& body = run.body();
+  if (printing && (!body.one_material() || body.void_density > 0 || body.axle))
+    throw InputError("--slicer of a part of several materials or halves, expected one solid");
   if (spec.print.balance && !run.exact())
     throw InputError(
         fmt::format("--balance print of {}, expected --formulation quadric", config.formulation));

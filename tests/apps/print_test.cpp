@@ -96,6 +96,8 @@ TEST_F(PrintedDesign, SaysAheadThatItCannotBeSliced) {
   expect_refused("--slicer 'sh {model} {gcode}' --profile /nowhere.ini", "--profile /nowhere.ini");
   expect_refused("--slicer 'sh {model} {gcode}' --balance print --formulation voxel",
                  "--balance print of voxel");
+  expect_refused("--slicer 'sh {model} {gcode}' --void-density 0.2",
+                 "--slicer of a part of several materials");
   expect_refused("--balance print", "--slicer");
 }
 
