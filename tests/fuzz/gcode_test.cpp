@@ -1,4 +1,5 @@
-// gcode_test.cpp - every G-code that the fuzzer starts from, and what it has found: one line of bad input at most.
+// gcode_test.cpp - every G-code that the fuzzer starts from, and what it has found: one line of bad input at
+// most.
 #include <gtest/gtest.h>
 
 #include "fuzz/corpus.hpp"
