@@ -36,7 +36,7 @@ fuzz() {
   local build=build/fuzz seconds=${KREISEL_FUZZ_SECONDS:-600} wrong=0 reader
   cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS="-O1 -g1" -DKREISEL_FUZZ=ON \
       -DKREISEL_TESTS=OFF -DKREISEL_MICRO=OFF || return 1
-  for reader in ${KREISEL_FUZZ_READERS:-off obj ply stl 3mf experiment}; do
+  for reader in ${KREISEL_FUZZ_READERS:-off obj ply stl 3mf experiment gcode}; do
     cmake --build $build --target "fuzz_$reader" || return 1
     mkdir -p "$build/corpus/$reader" "$build/found"
     ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 "$build/tests/fuzz/fuzz_$reader" -max_total_time="$seconds" -timeout=10 \

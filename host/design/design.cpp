@@ -1,6 +1,7 @@
 #include "design/design.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -116,6 +117,10 @@ std::map<std::string, std::string> describe(const DesignSpec& spec) {
   if (spec.drain_radius > 0) fields["drain"] = fmt::format("{}", spec.drain_radius);
   if (spec.lay_flat) fields["lay-flat"] = "true";
   if (spec.mould) fields["mould"] = "true";
+  if (spec.print.wanted()) fields["slicer"] = spec.print.slicing.slicer;
+  if (!spec.print.slicing.profile.empty()) fields["profile"] = spec.print.slicing.profile.string();
+  if (spec.print.up) fields["print-up"] = fmt::format("{}", fmt::join(*spec.print.up, ","));
+  if (spec.print.balance) fields["balance"] = "print";
   return fields;
 }
 
@@ -157,6 +162,10 @@ class Unfinished {
 /// Where it is infeasible, what would help is left to be found.
 Design make_asked(Session& session, const DesignSpec& spec, const Control& control) {
   Finishing finishing(spec);
+  std::optional<Printing> printing;  // ahead of the work: its slicer may not be there
+  if (spec.print.wanted()) printing.emplace(spec.print);
+  if (printing && !spec.cut.empty())
+    throw InputError("--slicer of a part that is cut, expected one in a piece: without --cut");
   if (spec.mould) require_metal(spec.config.body);
   if (spec.mould && spec.file.empty())
     throw InputError("a mould of a part that is not written; expected a file for it");
@@ -164,6 +173,12 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
   config.wall.to_corners = true;  // a voxel whose centre keeps the wall would stick out into it
   SolvedRun run(session, config, control);
   require_printable(run.result, spec.printer_accuracy);
+  const Body& body = run.body();
+  if (printing && (!body.one_material() || body.void_density > 0 || body.axle))
+    throw InputError("--slicer of a part of several materials or halves, expected one solid");
+  if (spec.print.balance && !run.exact())
+    throw InputError(
+        fmt::format("--balance print of {}, expected --formulation quadric", config.formulation));
   run.solve(control);
   if (run.result.config.certify > 0) run.certify(control);
   Design design{};
@@ -185,7 +200,17 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
         if (spec.mould) cast = cast_of(parts, run.body().density, options.least_void);
         return finishing.wanted() ? finishing(run.body(), parts, control) : parts;
       };
+    std::vector<PrintedPart> printed;
+    if (printing && spec.print.balance)
+      options.printed = [&](const std::vector<MaterialPart>& parts) {
+        const PrintedPart& one = printed.emplace_back((*printing)(run, parts, control));
+        return PrintedMoments{one.moments, one.balances()};
+      };
     design.part = make_part(run, spec.file.string(), options);
+    if (printing && printed.empty()) printed.push_back((*printing)(run, design.part.solids, control));
+    for (const PrintedPart& one : printed) design.rounds.push_back(one.residual);
+    if (printing) design.printed = std::move(printed[design.part.round]);
+    design.print_balanced = spec.print.balance;
     if (!cast.empty()) control.tell("mould");
     if (!cast.empty()) design.moulds = write_moulds(spec.file, cast);
     design.cuts = finishing.planes();
@@ -195,6 +220,7 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
     design.wall = least_wall(design.part.outer, design.part.cavity);
     design.thinnest = thinnest_material(design.part.outer, design.part.cavity, spec.printer_accuracy);
   }
+  if (design.printed && !spec.gcode.empty()) write_gcode(design.printed->sliced, spec.gcode);
   written.keep();
   design.run = std::move(run.result);
   const RunResult& r = design.run;
@@ -215,7 +241,7 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
 /// The question as it stands, and what would help where no interior does it.
 Design make_posed(Session& session, const DesignSpec& spec, const Control& control) {
   Design design = make_asked(session, spec, control);
-  if (design.feasible() && design.run.verified.verdict.ok) return design;
+  if (design.does()) return design;
   if (!design.feasible()) {
     RunConfig config = spec.config;
     config.wall.to_corners = true;
@@ -286,7 +312,7 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
       one.config = posed(spec.config, found.good[i]);
       Design design = make_asked(session, one, control);
       design.pose = all.text();
-      if (design.feasible() && design.run.verified.verdict.ok) return design;
+      if (design.does()) return design;
       if (design.feasible() && !first) {
         first = std::move(one);
         pose_of_first = design.pose;

@@ -9,6 +9,7 @@
 
 #include "design/figures.hpp"
 #include "design/moulds.hpp"
+#include "design/printed.hpp"
 #include "fabricate/drain.hpp"
 #include "fabricate/thickness.hpp"
 #include "session/make_part.hpp"
@@ -31,6 +32,8 @@ struct DesignSpec {
   double drain_radius = 0;  ///< of a hole into every void, mm; 0: none
   bool mould = false;       ///< moulds are written for solids that are denser than the shell
   bool lay_flat = false;    ///< pieces of cuts are written beside each other, each on its cut
+  PrintSpec print;
+  std::filesystem::path gcode;  ///< where that goes; empty: nowhere
 };
 
 /// The configuration with what finishes the part, by the names of options: what reproduces it.
@@ -50,10 +53,18 @@ struct Design {
   std::vector<Drain> drains;  ///< holes into voids
   double drain_radius = 0;    ///< as asked, mm; 0: none
   std::vector<WrittenMould> moulds;
-  std::string pose;        ///< how it was found, where it was left open
-  std::string other_axes;  ///< where it does not do it as it was posed: in which poses it can
+  std::optional<PrintedPart> printed;  ///< where a slicer was asked for
+  std::vector<Residual> rounds;        ///< of each print that was tried
+  bool print_balanced = false;         ///< what was asked is asked of the print, not of the mesh
+  std::string pose;                    ///< how it was found, where it was left open
+  std::string other_axes;              ///< where it does not do it as it was posed: in which poses it can
   std::vector<std::filesystem::path> files;
 
+  /// The verdict on what was asked: of the part's files, or of its print.
+  [[nodiscard]] const Verdict& verdict() const {
+    return print_balanced ? printed->figures.verdict : run.verified.verdict;
+  }
+  [[nodiscard]] bool does() const { return feasible() && verdict().ok; }
   [[nodiscard]] bool feasible() const { return run.outcome.termination != Termination::infeasible; }
 };
 

@@ -43,6 +43,26 @@ json to_json(const WrittenMould& written) {
           {"metal_mm3", mould.metal}};
 }
 
+json to_json(const Residual& residual) {
+  return {{"centre_of_mass_mm", number(residual.centre_of_mass_mm)},
+          {"axis_degrees", number(residual.axis_degrees)},
+          {"mass_g", number(residual.mass_g)}};
+}
+
+json to_json(const PrintedPart& printed, const std::vector<Residual>& rounds) {
+  const Print& print = printed.sliced.print;
+  json j = to_json(printed.figures);
+  j["constraint_residual"] = to_json(printed.residual);
+  const Eigen::Matrix<double, 3, 4> motion = printed.sliced.bed_to_model.matrix().topRows<3>();
+  for (int row = 0; row < 3; ++row) j["bed_to_model"].push_back(json_list(motion.row(row).transpose()));
+  j["slicer"] = print.slicer;
+  j["settings"] = printed.sliced.settings;
+  j["beside_mm3"] = print.volume([](const PrintGroup& group) { return !group.of_part; });
+  j["rounds"] = json::array();
+  for (const Residual& round : rounds) j["rounds"].push_back(to_json(round));
+  return j;
+}
+
 }  // namespace
 
 std::string to_json(const Design& design) {
@@ -55,7 +75,7 @@ std::string to_json(const Design& design) {
                   {"device", r.provenance.device},
                   {"repairs", r.repairs},
                   {"termination", to_string(r.outcome.termination)},
-                  {"ok", design.feasible() && r.verified.verdict.ok},
+                  {"ok", design.does()},
                   {"density", r.density},
                   {"axis", json_list(r.axis)},
                   {"contact", json_list(r.contact)},
@@ -77,9 +97,8 @@ std::string to_json(const Design& design) {
     cuts.push_back({{"normal", json_list(cut.normal)}, {"offset", cut.offset}, {"opens", cut.opens}});
   for (const auto& file : design.files) summary["files"].push_back(file.string());
   summary["after"] = to_json(design.after);
-  summary["constraint_residual"] = {{"centre_of_mass_mm", number(design.residual.centre_of_mass_mm)},
-                                    {"axis_degrees", number(design.residual.axis_degrees)},
-                                    {"mass_g", number(design.residual.mass_g)}};
+  summary["constraint_residual"] = to_json(design.residual);
+  if (design.printed) summary["print"] = to_json(*design.printed, design.rounds);
   summary["wall_mm"] = number(design.wall);
   summary["thinnest_mm"] = number(design.thinnest.thickness);
   summary["thinnest_at_mm"] =

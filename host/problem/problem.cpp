@@ -66,6 +66,7 @@ std::vector<ProblemEntry> ours() {
            "spins about its axis: centre of mass on it, principal, and the largest moment [RayRep, eq. 7-10]",
        .make = make_spin,
        .for_solid = SettingTexts{},
+       .by_moments = true,
        .settings = spin_fields(),
        .weights = {"lambda", "gamma_i"},
        .made = {"a spinning top: it spins about the axis", {}, Names{"axis", "contact", "stem", "tip"}},
@@ -77,6 +78,7 @@ std::vector<ProblemEntry> ours() {
        .summary = "spins on its tip: as spin, with centre of mass and mass lowered, or the height alone "
                   "[SpinIt, eq. 3]",
        .make = make_top,
+       .by_moments = true,
        .settings = top_fields(),
        .weights = {"lower", "gamma_c", "gamma_i", "form"},
        .made = {"a spinning top whose centre of mass is low: it spins slowly, too",
@@ -127,6 +129,7 @@ std::vector<ProblemEntry> ours() {
       {.name = "balance",
        .summary = "centre of mass at a given point or on a given line, with as much material as possible",
        .make = make_balance,
+       .by_moments = true,
        .upright = true,
        .settings = balance_fields(),
        .rays = rays_of_balance,

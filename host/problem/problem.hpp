@@ -66,6 +66,8 @@ struct ProblemEntry {
   /// The settings with which a solid is judged as it is; nothing when the problem asks for more than a solid
   /// has.
   std::optional<SettingTexts> for_solid = {};
+  /// Needs no more of a body than its frame and its moments: can judge what nobody has a surface of.
+  bool by_moments = false;
   bool upright = false;                   ///< goes by the body's up direction, not by its spin axis
   SettingTable settings = {};             ///< that `make` reads
   std::vector<std::string> weights = {};  ///< those of them that say what f is

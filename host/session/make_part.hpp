@@ -1,6 +1,7 @@
 // make_part.hpp - from the optimum to the part: rounded or meshed, written, read again and judged.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,6 +14,13 @@ namespace kreisel::core {
 struct PartMeshes {
   TriangleMesh outer, cavity;
   std::vector<MaterialPart> solids = {};  ///< that are written
+  std::size_t round = 0;                  ///< of those that were printed, which they are
+};
+
+/// Of a print: body frame and units.
+struct PrintedMoments {
+  Moments moments;
+  bool met = false;  ///< near enough to what was asked: no further correction is tried
 };
 
 /// What else is done to a part.
@@ -25,6 +33,9 @@ struct PartOptions {
   /// Makes the solids that are written of the part's, as by cutting it. Model coordinates, mm. What this
   /// changes of the moments is made up for like what meshing changes.
   std::function<std::vector<MaterialPart>(const std::vector<MaterialPart>&)> finish = {};
+  /// What a printer makes of the solids. Where there is one, that is to meet the constraints, not the mesh:
+  /// it is asked once a correction, and the best part is kept. Of quadrics.
+  std::function<PrintedMoments(const std::vector<MaterialPart>&)> printed = {};
 };
 
 /// Fills in what the run's result says of its part.

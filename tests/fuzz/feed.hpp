@@ -12,4 +12,7 @@ void feed_mesh(const std::string& extension, std::string bytes);
 /// An experiment's TOML.
 void feed_experiment(const std::string& text);
 
+/// G-code. Aborts where what is read has no mass.
+void feed_gcode(const std::string& text);
+
 }  // namespace kreisel::core::fuzz

@@ -9,6 +9,7 @@
 #include "apps/shared/exit_code.hpp"
 #include "experiment/experiment.hpp"
 #include "run/run.hpp"
+#include "session/inspect_print.hpp"
 
 namespace kreisel::core::bench {
 
@@ -57,6 +58,15 @@ struct InspectOptions {
 /// Everything about a mesh: checks, repairs, shells; as a solid its mass properties and what it does already.
 /// @throws InputError  after all that can be said was printed: why the mesh is no solid
 int inspect_model(const InspectOptions& options);
+
+struct InspectPrintOptions {
+  std::string file;
+  FilamentSpec filament;
+  PrintQuestion question;
+  std::string json_file;  ///< empty: not written; "-" is standard output
+};
+/// What a G-code file prints, by type and object, and what that does. [docs/printing.md]
+int inspect_gcode(const InspectPrintOptions& options);
 
 struct CompareOptions {
   std::string a, b;                  ///< folders of records, or one each

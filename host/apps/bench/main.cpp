@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,6 +41,7 @@ struct Parsed {
   FieldsOptions fields;
   RunOptions run;
   ShowOptions show;
+  std::optional<double> filament_diameter;
   std::string only_device;
   bool no_measure = false, markdown = false, by_slurm = false;
 };
@@ -63,7 +66,38 @@ void add_inspect_options(CLI::App& app, Parsed& parsed) {
   parsed.run.add_some(app, {&find_run_kind("solve")},
                       {"axis", "contact", "up", "unit", "weld", "close-holes", "inside-out", "pieces", "size",
                        "density", "fineness"});
+  parsed.run.add(app, "--problem", "problem",
+                 "of G-code: what it shall be judged by; default all that go by moments alone");
+  parsed.run.add_settings(app, find_run_kind("solve"));
+  app.add_option("--filament", parsed.filament_diameter,
+                 "of G-code: diameter of the filament, mm; default as the file says, else 1.75")
+      ->check(CLI::Range(0.1, 10.0));
   add_file(app, "--json", parsed.once.json_file, "write it all as JSON; - for standard output");
+}
+
+/// @throws InputError  what is said of the mesh alone
+InspectPrintOptions print_options(const Parsed& parsed) {
+  const kreisel::core::RunConfig& config = parsed.once.config;
+  InspectPrintOptions options;
+  options.file = config.body.model;
+  options.json_file = parsed.once.json_file;
+  options.filament.diameter = parsed.filament_diameter;
+  for (const auto& given : parsed.run.given()) {
+    const std::string& key = given.name;
+    if (key == "density") options.filament.density = config.body.density;
+    if (key == "problem") options.question.problem = config.problem;
+    for (const char* of_mesh :
+         {"up", "unit", "weld", "close-holes", "inside-out", "pieces", "size", "fineness"})
+      if (key == of_mesh)
+        throw InputError(
+            fmt::format("--{} of G-code, which is no mesh; expected --axis, --contact, --density, "
+                        "--filament or --problem",
+                        key));
+  }
+  options.question.settings = kreisel::core::settings_of(config, "problem");
+  options.question.axis = config.body.axis;
+  options.question.contact = config.body.contact;
+  return options;
 }
 
 void add_map_options(CLI::App& app, Parsed& parsed) {
@@ -158,12 +192,27 @@ Command add_watch(CLI::App& app, Parsed& parsed) {
   return {watched, [&parsed] { return watch_experiment(parsed.watch); }};
 }
 
+/// @throws InputError  what is said of G-code alone
+void require_of_mesh(const Parsed& parsed) {
+  const auto given = parsed.run.given();
+  const bool asked = std::ranges::any_of(
+      given, [](const auto& one) { return one.name == "problem" || kreisel::core::is_setting(one.name); });
+  if (asked || parsed.filament_diameter)
+    throw InputError(fmt::format(
+        "{}: --problem, --set and --filament are for G-code (.gcode); a mesh is judged by every problem",
+        parsed.once.config.body.model));
+}
+
 Command add_inspect(CLI::App& app, Parsed& parsed) {
-  CLI::App* inspected = app.add_subcommand(
-      "inspect", "check a mesh: faults, repairs, shells, mass properties, and what it does as a solid");
+  CLI::App* inspected = app.add_subcommand("inspect",
+                                           "check a mesh: faults, repairs, shells, mass properties, and what "
+                                           "it does as a solid; or what G-code prints");
   add_inspect_options(*inspected, parsed);
   return {inspected, [&parsed] {
             parsed.run.apply(parsed.once.config);
+            if (kreisel::core::is_gcode(parsed.once.config.body.model))
+              return inspect_gcode(print_options(parsed));
+            require_of_mesh(parsed);
             return inspect_model({parsed.once.config, parsed.once.json_file});
           }};
 }

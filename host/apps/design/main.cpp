@@ -18,6 +18,7 @@
 #include "design/page.hpp"
 #include "error.hpp"
 #include "file/write_text.hpp"
+#include "parse.hpp"
 #include "problem/problem.hpp"
 #include "session/build_info.hpp"
 
@@ -36,6 +37,14 @@ struct Parsed {
   NestArguments nest;
 };
 
+/// @throws InputError  not "x,y,z", or zero
+kreisel::core::Vec3 direction(const char* option, const std::string& text) {
+  const auto given = kreisel::core::parse_vector(text);
+  if (!given || !(given->norm() > 0))
+    throw InputError(fmt::format("{} {}, expected a direction X,Y,Z", option, text));
+  return *given;
+}
+
 /// How the body lies and is shaped, as far as that matters to the problem.
 std::vector<std::string_view> shape_of(const ProblemEntry& problem) {
   if (problem.made.shape) return *problem.made.shape;
@@ -50,6 +59,38 @@ std::vector<std::string> settings_of(const ProblemEntry& problem) {
     if (std::ranges::find(problem.weights, setting.name) == problem.weights.end())
       names.push_back(fmt::format("problem.{}", setting.name));
   return names;
+}
+
+void add_print_options(CLI::App& app, Parsed& parsed) {
+  kreisel::core::PrintSpec& print = parsed.spec.print;
+  CLI::Option* slicer =
+      app.add_option("--slicer", print.slicing.slicer,
+                     "slice the part, and say what is printed: prusa-slicer, cura-engine, or a "
+                     "command with {model} and {gcode} in it")
+          ->type_name("NAME|COMMAND");
+  app.add_option(
+         "--profile", print.slicing.profile,
+         "settings of the slicer, key = value; default 0.2 mm layers, 0.4 mm nozzle, two perimeters, filled, "
+         "supports from the bed")
+      ->type_name("FILE")
+      ->needs(slicer);
+  app.add_option_function<std::string>(
+         "--print-up", [&print](const std::string& text) { print.up = direction("--print-up", text); },
+         "which way is up as it is printed; default as it stands, or along its axis")
+      ->type_name("X,Y,Z")
+      ->needs(slicer);
+  app.add_option("--gcode", parsed.outputs.gcode, "write what the slicer makes")
+      ->type_name("FILE")
+      ->needs(slicer);
+  app.add_option_function<std::string>(
+         "--balance", [&print](const std::string&) { print.balance = true; },
+         "print: move the cut of the voids until what is printed does what was asked, not only the mesh")
+      ->check(CLI::IsMember({"print"}))
+      ->needs(slicer);
+  app.add_option("--slicer-seconds", print.slicing.seconds, "that the slicer may take")
+      ->check(CLI::Range(1.0, 86400.0))
+      ->capture_default_str()
+      ->needs(slicer);
 }
 
 void add_options(CLI::App& app, Parsed& parsed, const ProblemEntry& problem) {
@@ -79,9 +120,10 @@ void add_options(CLI::App& app, Parsed& parsed, const ProblemEntry& problem) {
                  "stays filled")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--tolerance", parsed.spec.tolerance,
-                 "how far the surface of voids may be off for the sake of fewer triangles, mm, never into the "
-                 "wall; default a tenth of --printer-accuracy; 0: all triangles stay")
+  app.add_option(
+         "--tolerance", parsed.spec.tolerance,
+         "how far the surface of voids may be off for the sake of fewer triangles, mm, never into the "
+         "wall; default a tenth of --printer-accuracy; 0: all triangles stay")
       ->check(CLI::NonNegativeNumber);
   app.add_option(
       "--cut", parsed.spec.cut,
@@ -94,6 +136,7 @@ void add_options(CLI::App& app, Parsed& parsed, const ProblemEntry& problem) {
   app.add_flag(
       "--mould", parsed.spec.mould,
       "write moulds, too, for what of the part is denser than its shell: two halves, sprue, vents, pins");
+  add_print_options(app, parsed);
   app.add_flag("--accept", parsed.accept, "exit code 0, though the part does not do what was asked");
   app.add_option("--drain", parsed.spec.drain_radius,
                  "radius of a hole from every void to the outside, mm; default none")
@@ -112,6 +155,7 @@ int make(Parsed& parsed, const ProblemEntry& problem) {
   outputs.require_writable();
   const std::string three = outputs.html.empty() ? "" : kreisel::core::installed_three();
   parsed.spec.file = outputs.part;
+  parsed.spec.gcode = outputs.gcode;
   const kreisel::core::Design design = [&] {
     const StepLine line;
     kreisel::core::Session session;
@@ -120,7 +164,7 @@ int make(Parsed& parsed, const ProblemEntry& problem) {
   if (!outputs.html.empty() && design.feasible())
     kreisel::core::write_text(outputs.html, page_of(design, three));
   if (outputs.write_report(to_json(design))) print_design(design);
-  const bool misses = design.feasible() && !design.run.verified.verdict.ok && !parsed.accept;
+  const bool misses = design.feasible() && !design.does() && !parsed.accept;
   const int ending = exit_code(design.run.outcome.termination);
   return ending == done && misses ? not_as_asked : ending;
 }

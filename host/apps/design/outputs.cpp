@@ -25,8 +25,8 @@ void DesignOutputs::add(CLI::App& app, const std::string& what) {
 void DesignOutputs::require_writable() const {
   (void)mesh_format(part);
   apps::require_replaceable(part, "--output");
-  for (const auto& [file, option] :
-       {std::pair{part, "--output"}, std::pair{json, "--json"}, std::pair{html, "--html"}}) {
+  for (const auto& [file, option] : {std::pair{part, "--output"}, std::pair{json, "--json"},
+                                     std::pair{html, "--html"}, std::pair{gcode, "--gcode"}}) {
     apps::require_writable(file, option);
     if (!file.empty() && file != "-" && !is_written_in_place(file)) require_new(file, option, force);
   }

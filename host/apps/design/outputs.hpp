@@ -9,6 +9,7 @@ namespace kreisel::core::apps {
 
 struct DesignOutputs {
   std::string part, json, html;  ///< json "-" is standard output
+  std::string gcode;             ///< of a part that is sliced
   bool force = false;
 
   /// @param what  that --output holds

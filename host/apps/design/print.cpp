@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "problem/problem.hpp"
 
@@ -18,8 +20,14 @@ std::string text(Vec3 v, int digits) {
   return fmt::format("{:.{}f}, {:.{}f}, {:.{}f}", v[0], digits, v[1], digits, v[2], digits);
 }
 
-void row(std::string_view name, const std::string& before, const std::string& after) {
-  fmt::print("  {:<26} {:>30} {:>30}\n", name, before, after);
+/// Columns: the solid, the part, and where it was sliced the print.
+using Columns = std::vector<const Figures*>;
+
+template <class Text>
+void row(std::string_view name, const Columns& columns, const Text& text_of) {
+  fmt::print("  {:<26}", name);
+  for (const Figures* figures : columns) fmt::print(" {:>30}", text_of(*figures));
+  fmt::print("\n");
 }
 
 /// A number of a verdict as people read it: its name without the unit, the unit.
@@ -48,26 +56,29 @@ constexpr Quantity quantities[] = {
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-"; }
 
-void print_quality(const Figures& before, const Figures& after) {
-  for (const auto& [name, words] : quantities) {
-    const auto old = before.verdict.values.find(name), now = after.verdict.values.find(name);
-    if (old != before.verdict.values.end() && now != after.verdict.values.end())
-      row(words, number(old->second), number(now->second));
+void print_quality(const Columns& columns) {
+  for (const auto& [quantity, words] : quantities) {
+    const std::string name = quantity;
+    const auto has = [&](const Figures* f) { return f->verdict.values.contains(name); };
+    if (std::ranges::all_of(columns, has))
+      row(words, columns, [&](const Figures& f) { return number(f.verdict.values.at(name)); });
   }
 }
 
 void print_table(const Design& d) {
-  const Figures &before = d.before, &after = d.after;
-  row("", "solid", "part");
-  row("mass, g", fmt::format("{:.3f}", before.mass), fmt::format("{:.3f}", after.mass));
-  row("volume, mm^3", fmt::format("{:.1f}", before.volume), fmt::format("{:.1f}", after.volume));
-  row("centre of mass, mm", text(before.centre_of_mass, 3), text(after.centre_of_mass, 3));
+  Columns columns = {&d.before, &d.after};
+  fmt::print("  {:<26} {:>30} {:>30}{}\n", "", "solid", "part",
+             d.printed ? fmt::format(" {:>30}", "print") : "");
+  if (d.printed) columns.push_back(&d.printed->figures);
+  row("mass, g", columns, [](const Figures& f) { return fmt::format("{:.3f}", f.mass); });
+  row("volume, mm^3", columns, [](const Figures& f) { return fmt::format("{:.1f}", f.volume); });
+  row("centre of mass, mm", columns, [](const Figures& f) { return text(f.centre_of_mass, 3); });
   for (int k = 0; k < 3; ++k) {
-    row(fmt::format("principal moment {}, g mm^2", k + 1), fmt::format("{:.1f}", before.principal[k]),
-        fmt::format("{:.1f}", after.principal[k]));
-    row("  about", text(before.axes.col(k), 4), text(after.axes.col(k), 4));
+    row(fmt::format("principal moment {}, g mm^2", k + 1), columns,
+        [k](const Figures& f) { return fmt::format("{:.1f}", f.principal[k]); });
+    row("  about", columns, [k](const Figures& f) { return text(f.axes.col(k), 4); });
   }
-  print_quality(before, after);
+  print_quality(columns);
 }
 
 std::string residual_text(const Residual& residual) {
@@ -77,6 +88,20 @@ std::string residual_text(const Residual& residual) {
         std::pair{residual.axis_degrees, "degrees (axis)"}, std::pair{residual.mass_g, "g"}})
     if (std::isfinite(value)) words += fmt::format("{}{:.2g} {}", words.empty() ? "" : ", ", value, unit);
   return words;
+}
+
+/// Of what a slicer makes of it.
+void print_printed(const Design& d) {
+  const PrintedPart& printed = *d.printed;
+  const Print& print = printed.sliced.print;
+  fmt::print("  print      misses {}; by {}\n", residual_text(printed.residual),
+             print.slicer.empty() ? "a slicer that does not say" : print.slicer);
+  const double beside = print.volume([](const PrintGroup& group) { return !group.of_part; });
+  if (beside > 0) fmt::print("             beside it {:.4g} mm^3 of supports and the like\n", beside);
+  if (d.rounds.size() > 1)
+    for (std::size_t k = 0; k < d.rounds.size(); ++k)
+      fmt::print("  round {:<4} {}\n", k + 1, residual_text(d.rounds[k]));
+  if (!d.print_balanced) fmt::print("             {}\n", printed.figures.verdict.text);
 }
 
 void print_mould(const WrittenMould& written) {
@@ -116,6 +141,7 @@ void print_design(const Design& d) {
   if (!d.pose.empty()) fmt::print("  pose       {}\n", d.pose);
   print_table(d);
   fmt::print("  misses     {}\n", residual_text(d.residual));
+  if (d.printed) print_printed(d);
   if (std::isfinite(d.wall))
     fmt::print("  wall       {:.4f} mm at the thinnest, asked for {:.4f}\n", d.wall, r.wall * r.length_mm);
   if (d.thinnest.thickness < d.printer_accuracy)
@@ -134,7 +160,7 @@ void print_design(const Design& d) {
   fmt::print("  took       {:.1f} s, {:.2g} GiB; {} triangles, {} of them around voids\n", r.whole_seconds,
              r.peak_bytes / (1 << 30), r.verified.triangles, r.verified.void_triangles);
   if (!d.other_axes.empty()) fmt::print("  would help {}\n", d.other_axes);
-  fmt::print("{}\n", r.verified.verdict.text);
+  fmt::print("{}{}\n", d.print_balanced ? "the print " : "", d.verdict().text);
 }
 
 }  // namespace kreisel::core::apps

@@ -1,0 +1,112 @@
+#include "print/slice/slice.hpp"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include "error.hpp"
+#include "file/replace_file.hpp"
+#include "file/write_text.hpp"
+#include "geometry/box.hpp"
+#include "geometry/moved.hpp"
+#include "geometry/rotation.hpp"
+#include "mesh/io/write.hpp"
+#include "print/gcode/read.hpp"
+#include "print/slice/run_program.hpp"
+#include "stop.hpp"
+
+namespace kreisel::core {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own, gone with the object.
+class WorkFolder {
+ public:
+  WorkFolder() {
+    std::string name = (fs::temp_directory_path() / "kreisel-slice-XXXXXX").string();
+    if (!::mkdtemp(name.data()))
+      throw InputError(fmt::format("{}: {}, expected room for a folder", name, std::strerror(errno)));
+    path_ = name;
+  }
+  ~WorkFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  [[nodiscard]] fs::path operator/(const char* name) const { return path_ / name; }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// With `up` upward, the lowest point at z = 0 and the middle of its outline above that of the bed.
+Eigen::Isometry3d placed(const TriangleMesh& mesh, const Vec3& up, const Vec3& middle) {
+  Eigen::Isometry3d lay = Eigen::Isometry3d::Identity();
+  lay.linear() = axis_to_z(up);
+  const Box box = bounding_box(moved(mesh, lay).vertices);
+  lay.translation() = middle - Vec3(box.centre()[0], box.centre()[1], box.lo[2]);
+  return lay;
+}
+
+/// @throws InputError  the slicer moved it
+void require_in_place(const Print& print, const Box& mesh, const std::string& slicer) {
+  // Paths run inside the outline by half a width, and a layer more or less is printed.
+  constexpr double most = 1;
+  const Vec3 off = (print.part.centre() - mesh.centre()).cwiseAbs();
+  if (off.maxCoeff() < most) return;
+  throw InputError(
+      fmt::format("--slicer {}: its print lies {:.3g}, {:.3g}, {:.3g} mm off the model, expected a slicer "
+                  "that leaves the model where it is",
+                  slicer, off[0], off[1], off[2]));
+}
+
+}  // namespace
+
+void write_gcode(const Sliced& sliced, const fs::path& file) {
+  replace_file(file, [&](const fs::path& temporary) {
+    fs::copy_file(sliced.gcode, temporary, fs::copy_options::overwrite_existing);
+  });
+}
+
+MeshSlicer::MeshSlicer(const SliceSpec& spec)
+    : spec_(spec),
+      slicer_(spec.slicer),
+      settings_(spec.profile.empty() ? slicer_.usual() : read_profile(spec.profile)) {}
+
+Sliced MeshSlicer::operator()(const TriangleMesh& mesh, const Vec3& up, double density,
+                              const Control& control) const {
+  const StopScope scope(control.stop);
+  control.tell(fmt::format("slice by {}", spec_.slicer));
+  const auto made = std::make_shared<const WorkFolder>();
+  const WorkFolder& folder = *made;
+  const SlicerCall call{folder / "part.stl", folder / "part.gcode", folder / "profile.ini", settings_};
+  const Eigen::Isometry3d lay = placed(mesh, up, slicer_.middle(settings_));
+  const TriangleMesh laid = moved(mesh, lay);
+  write_mesh(call.model, {laid});
+  write_text(call.profile, profile_text(settings_));
+  const ProgramEnd end = run_program(slicer_.words(call), folder.path(), spec_.seconds, control);
+  if (!end.in_time)
+    throw InputError(
+        fmt::format("--slicer {}: took more than {:.4g} s and was ended, expected a coarser part or profile",
+                    spec_.slicer, spec_.seconds));
+  if (end.code != 0 || !fs::exists(call.gcode))
+    throw InputError(
+        fmt::format("--slicer {}: ended with code {} {} G-code, expected some; its last words: {}",
+                    spec_.slicer, end.code, fs::exists(call.gcode) ? "after" : "without", end.last_line));
+  control.tell("read the G-code");
+  FilamentSpec filament;
+  filament.density = density;
+  if (const double diameter = slicer_.diameter(settings_); diameter > 0) filament.diameter = diameter;
+  Sliced sliced{call.gcode, made, read_gcode(call.gcode, filament), settings_, lay.inverse()};
+  require_in_place(sliced.print, bounding_box(laid.vertices), spec_.slicer);
+  return sliced;
+}
+
+}  // namespace kreisel::core

@@ -1,0 +1,153 @@
+#include "session/fit_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "fabricate/fit_cut.hpp"
+#include "mesh/solid/self_intersections.hpp"
+#include "mesh/solid/simplify.hpp"
+
+namespace kreisel::core {
+namespace {
+
+class InsideMeshes {
+ public:
+  InsideMeshes(SolvedRun& run, const PartOptions& options)
+      : run_(run),
+        options_(options),
+        tolerance_(run.body().one_material() ? options.tolerance / run.result.length_mm : 0),
+        // The finer against the wall, the less deeper than the wall the vertices must lie.
+        mesher_(run.body(), run.result.wall, std::min(run.result.grid.h, run.result.wall / 2), spare()),
+        q_(run.result.outcome.x.data()) {}
+
+  /// Until the mesh meets the constraints.
+  MadePart fitted() {
+    constexpr int most_meshes = 4;
+    for (int meshes = 1;; ++meshes) {
+      const Inside inside = meshed();
+      weigh(inside);
+      if (met()) return made(inside);
+      const Moments whole = counted();
+      CutShift shift(run_.body(), inside, q_, [&](const Vec3& p) { return mesher_.deep(p); });
+      Inside moved = shifted(shift);
+      if (met() && self_intersections(moved.voids).empty()) return made(std::move(moved));
+      const Moments change = shift.anew(run_.problem().constraints(), whole);
+      if (meshes == most_meshes || change.isZero(0)) {
+        weigh(inside);
+        return made(inside);
+      }
+      q_ += change;
+      ++run_.result.rounding.corrections;
+    }
+  }
+
+  /// Until what is printed does. That is no smooth function of the mesh: the best round is kept.
+  MadePart balanced() {
+    constexpr std::size_t most_rounds = 8, most_in_vain = 2;
+    MadePart best;
+    RoundingCost cost_of_best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t round = 0;; ++round) {
+      MadePart now = fitted();
+      const PrintedMoments print = options_.printed(now.parts);
+      const double missed = violation(run_.problem(), print.moments);
+      if (missed < least || print.met) {
+        best = std::move(now);
+        best.round = round;
+        cost_of_best = run_.result.rounding;
+        least = missed;
+      }
+      if (print.met || missed <= enough || round + 1 == most_rounds || round - best.round >= most_in_vain) {
+        run_.result.rounding = cost_of_best;
+        return best;
+      }
+      run_.stop_if_asked();
+      beside_ = print.moments - now_;
+    }
+  }
+
+  MadePart as_it_is() {
+    const Inside inside = meshed();
+    weigh(inside);
+    return made(inside);
+  }
+
+ private:
+  static constexpr double enough = 1e-6;  ///< a thousandth of what a verdict asks for
+
+  /// Of the tolerance, what a surface may be moved towards the skin.
+  [[nodiscard]] double spare() const { return tolerance_ / 8; }
+  /// A cut is moved as a mesh, body units.
+  [[nodiscard]] double farthest() const { return std::max(tolerance_, run_.result.grid.h / 8); }
+  /// What is to meet the constraints.
+  [[nodiscard]] Moments counted() const { return now_ + beside_; }
+  [[nodiscard]] bool met() const { return violation(run_.problem(), counted()) <= enough; }
+
+  [[nodiscard]] Inside meshed() const {
+    run_.stop_if_asked();
+    const Body& body = run_.body();
+    Inside inside = inside_of(body, mesher_, q_);
+    if (!body.one_material()) return inside;
+    if (options_.least_void > 0)
+      inside.voids = without_small_shells(inside.voids, options_.least_void / std::pow(body.frame.length, 3));
+    inside.voids = simplified(inside.voids, {.along = tolerance_, .against = spare()},
+                              [&](const Vec3& p) { return mesher_.deeper(p, run_.result.wall); });
+    return inside;
+  }
+
+  /// Moves the cut until the mesh meets the constraints, nothing can be gained, or it is moved too far.
+  Inside shifted(CutShift& shift) {
+    // A step leaves some per cent of what was missed, for areas tell of it roughly. Finishing takes long.
+    const int most_steps = options_.finish ? 3 : 12;
+    Inside inside;
+    for (int step = 0; step < most_steps && !met(); ++step) {
+      run_.stop_if_asked();
+      if (!shift.toward(run_.problem().constraints(), counted()) || shift.most() > farthest()) break;
+      ++run_.result.rounding.corrections;
+      inside = shift.shifted();
+      weigh(inside);
+    }
+    return inside;
+  }
+
+  [[nodiscard]] MadePart made(Inside inside) const {
+    return made_of(run_.body(), std::move(inside), options_);
+  }
+
+  /// Says in the result what a part of this inside costs.
+  void weigh(const Inside& inside) {
+    const Body& body = run_.body();
+    now_ = options_.finish ? moments_of(body, made(inside).parts) : moments_of(body, inside);
+    RoundingCost& cost = run_.result.rounding;
+    cost.moments = now_;
+    cost.objective = run_.problem().value(now_);
+    cost.violation = violation(run_.problem(), now_);
+  }
+
+  SolvedRun& run_;
+  const PartOptions& options_;
+  double tolerance_;  ///< body units
+  CavityMesher mesher_;
+  Moments q_;                         ///< that cuts
+  Moments now_ = Moments::Zero();     ///< of what was weighed last
+  Moments beside_ = Moments::Zero();  ///< what a print had more than its mesh
+};
+
+}  // namespace
+
+MadePart made_of(const Body& body, Inside inside, const PartOptions& options) {
+  std::vector<MaterialPart> parts = parts_of(body, inside);
+  if (options.finish) parts = options.finish(parts);
+  return {std::move(inside), std::move(parts)};
+}
+
+MadePart mesh_inside(SolvedRun& run, bool fit, const PartOptions& options) {
+  run.result.rounding = {};
+  InsideMeshes meshes(run, options);
+  if (!fit) return meshes.as_it_is();
+  return options.printed ? meshes.balanced() : meshes.fitted();
+}
+
+}  // namespace kreisel::core
