@@ -8,6 +8,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <set>
 
 #include "error.hpp"
 #include "table/columns.hpp"
@@ -77,10 +78,11 @@ json value_of_all(const Row& row, std::string_view name) {
   return nullptr;
 }
 
-/// As ratio() finds the other run.
-bool same_but_for_a_choice(const RecordedRun& a, const RecordedRun& b) {
-  return std::ranges::all_of(fields_of_a_ratio,
-                             [&](std::string_view name) { return value_of(a, name) == value_of(b, name); });
+/// The same of two runs that a ratio() compares.
+std::string key_of_a_ratio(const RecordedRun& run) {
+  std::string key;
+  for (const std::string_view name : fields_of_a_ratio) key += plain_text(value_of(run, name)) + '\n';
+  return key;
 }
 
 json ratio_of(const Row& row, std::string_view arguments) {
@@ -90,12 +92,12 @@ json ratio_of(const Row& row, std::string_view arguments) {
         fmt::format("ratio({}): expected a name and a field, as in ratio(seconds.solve, "
                     "formulation=voxel)",
                     arguments));
-  if (row.runs.empty()) return nullptr;
+  if (row.runs.empty() || !row.group) return nullptr;
   const std::string_view name = trimmed(arguments.substr(0, comma));
   const Condition choice{std::string(trimmed(arguments.substr(comma + 1)))};
   const RecordedRun& mine = *row.runs.front();
-  for (const RecordedRun* other : row.group) {
-    if (!choice.holds(*other) || !same_but_for_a_choice(*other, mine)) continue;
+  for (const RecordedRun* other : row.group->like(mine)) {
+    if (!choice.holds(*other)) continue;
     const json a = value_of(*other, name), b = value_of(mine, name);
     if (!a.is_number() || !b.is_number() || !other->is_converged() || !mine.is_converged()) return nullptr;
     return a.get<double>() / b.get<double>();
@@ -199,6 +201,12 @@ class Arithmetic {
 
 }  // namespace
 
+const Runs& RunGroup::like(const RecordedRun& run) const {
+  if (alike_.empty())
+    for (const RecordedRun* each : runs_) alike_[key_of_a_ratio(*each)].push_back(each);
+  return alike_[key_of_a_ratio(run)];
+}
+
 bool Condition::holds(const RecordedRun& run, const json& item) const {
   std::string_view left = text;
   const bool turned = left.starts_with("not ");
@@ -241,11 +249,12 @@ std::vector<json> operands_of(const Row& row, std::string_view text) {
   const Operand operand = parsed(text);
   if (json all = value_of_all(row, operand.name); !all.is_null()) return {std::move(all)};
   std::vector<json> found;
+  std::set<json> known;
   const Condition choice{std::string(operand.choice)};
   for (const RecordedRun* run : row.runs) {
     if (!choice.text.empty() && !choice.holds(*run)) continue;
     json value = value_of_run(row, *run, operand);
-    if (!value.is_null() && std::ranges::find(found, value) == found.end()) found.push_back(std::move(value));
+    if (!value.is_null() && known.insert(value).second) found.push_back(std::move(value));
   }
   return found;
 }
