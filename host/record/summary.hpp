@@ -23,13 +23,11 @@ class Summary {
   [[nodiscard]] nlohmann::json whole() const;
 
  private:
-  struct Entry {
-    const std::string* name;  ///< of all summaries together: they have the same
-    std::uint32_t begin, end;
-  };
-  [[nodiscard]] nlohmann::json unpacked(const Entry& entry) const;
+  using Names = std::vector<std::string>;
+  [[nodiscard]] nlohmann::json unpacked(std::size_t index) const;
 
-  std::vector<Entry> entries_;  ///< by name
+  const Names* names_ = nullptr;       ///< of the values, sorted; one for all summaries that have the same
+  std::vector<std::uint32_t> begins_;  ///< of each value's bytes, and their end
   std::vector<std::uint8_t> bytes_;
 };
 
