@@ -6,6 +6,7 @@
 #include <memory>
 #include <unordered_map>
 
+#include "table/across_nodes.hpp"
 #include "table/columns.hpp"
 #include "table/experiment_run.hpp"
 
@@ -49,6 +50,7 @@ class Setter {
     for (const LayoutLine& line : layout_.legend)
       if (all_hold(line.when))
         if (const auto text = text_of(whole, line.pattern)) tables.legend += *text + '\n';
+    tables.legend += across_nodes_legend(tables);
     return tables;
   }
 
@@ -195,6 +197,7 @@ class Setter {
     Cell made = cell_of(value_of(row, column.value), column.format, column.join);
     if (const Column* known = find_column(named_in(column.value)); known && known->text)
       if (const RecordedRun* run = run_of(row, column.value)) made.text = known->text(*run);
+    if (!made.data.empty() && is_across_nodes(row, column.value)) mark_across_nodes(made);
     if (again && column.once) made.text.clear();
     if (column.parentheses_when && column.parentheses_when->holds(*row.runs.front(), row.item))
       made = {made.data.empty() ? made.text : '(' + made.text + ')', ""};

@@ -85,24 +85,43 @@ std::string key_of_a_ratio(const RecordedRun& run) {
   return key;
 }
 
-json ratio_of(const Row& row, std::string_view arguments) {
+/// A value and the runs that it is made of.
+struct Found {
+  json value;
+  Runs runs = {};
+};
+
+Found ratio_of(const Row& row, std::string_view arguments) {
   const std::size_t comma = arguments.find(',');
   if (comma == arguments.npos)
     throw InputError(
         fmt::format("ratio({}): expected a name and a field, as in ratio(seconds.solve, "
                     "formulation=voxel)",
                     arguments));
-  if (row.runs.empty() || !row.group) return nullptr;
+  if (row.runs.empty() || !row.group) return {};
   const std::string_view name = trimmed(arguments.substr(0, comma));
   const Condition choice{std::string(trimmed(arguments.substr(comma + 1)))};
   const RecordedRun& mine = *row.runs.front();
   for (const RecordedRun* other : row.group->like(mine)) {
     if (!choice.holds(*other)) continue;
     const json a = value_of(*other, name), b = value_of(mine, name);
-    if (!a.is_number() || !b.is_number() || !other->is_converged() || !mine.is_converged()) return nullptr;
-    return a.get<double>() / b.get<double>();
+    if (!a.is_number() || !b.is_number() || !other->is_converged() || !mine.is_converged()) return {};
+    return {a.get<double>() / b.get<double>(), {&mine, other}};
   }
-  return nullptr;
+  return {};
+}
+
+/// As operand_of().
+Found found_by(const Row& row, std::string_view text) {
+  const Operand operand = parsed(text);
+  if (json all = value_of_all(row, operand.name); !all.is_null()) return {std::move(all)};
+  Found found;
+  const Condition choice{std::string(operand.choice)};
+  for (const RecordedRun* run : row.runs) {
+    if (!choice.text.empty() && !choice.holds(*run)) continue;
+    if (!choice.text.empty() || found.value.is_null()) found = {value_of_run(row, *run, operand), {run}};
+  }
+  return found;
 }
 
 bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
@@ -156,13 +175,13 @@ class Arithmetic {
       at = end;
       if (end == text.size() || text[end] != '(') {
         names_.emplace_back(name);
-        variable(operand_of(row_, name));
+        variable(name, found_by(row_, name));
       } else if (name == "ratio") {
         const std::size_t close = text.find(')', end);
         if (close == text.npos) throw InputError(fmt::format("'{}': expected ) after ratio(", text));
         const std::string_view arguments = text.substr(end + 1, close - end - 1);
         names_.emplace_back(trimmed(arguments.substr(0, arguments.find(','))));
-        variable(ratio_of(row_, arguments));
+        variable(names_.back(), ratio_of(row_, arguments));
         at = close + 1;
       } else {
         formula_ += name;
@@ -171,6 +190,7 @@ class Arithmetic {
   }
 
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  [[nodiscard]] const Runs& timed() const { return timed_; }
 
   [[nodiscard]] json value() {
     try {
@@ -183,7 +203,9 @@ class Arithmetic {
   }
 
  private:
-  void variable(const json& value) {
+  void variable(std::string_view of, const Found& found) {
+    const json& value = found.value;
+    if (of.find("seconds") != of.npos) std::ranges::copy(found.runs, std::back_inserter(timed_));
     known_ = known_ && value.is_number();
     const std::string name = fmt::format("v{}", values_.size());
     values_.push_back(value.is_number() ? value.get<double>() : 0);
@@ -195,6 +217,7 @@ class Arithmetic {
   mu::Parser parser_;
   std::string formula_;
   std::vector<std::string> names_;  ///< of its operands
+  Runs timed_;                      ///< those whose times they are
   std::deque<double> values_;
   bool known_ = true;
 };
@@ -233,17 +256,7 @@ bool Condition::any(const Runs& runs) const {
   return std::ranges::any_of(runs, [&](const RecordedRun* run) { return holds(*run); });
 }
 
-json operand_of(const Row& row, std::string_view text) {
-  const Operand operand = parsed(text);
-  if (const json all = value_of_all(row, operand.name); !all.is_null()) return all;
-  json found;
-  const Condition choice{std::string(operand.choice)};
-  for (const RecordedRun* run : row.runs) {
-    if (!choice.text.empty() && !choice.holds(*run)) continue;
-    if (!choice.text.empty() || found.is_null()) found = value_of_run(row, *run, operand);
-  }
-  return found;
-}
+json operand_of(const Row& row, std::string_view text) { return found_by(row, text).value; }
 
 std::vector<json> operands_of(const Row& row, std::string_view text) {
   const Operand operand = parsed(text);
@@ -273,6 +286,8 @@ std::vector<std::string> names_in(const std::string& expression) {
   (void)arithmetic.value();
   return arithmetic.names();
 }
+
+Runs runs_in(const Row& row, const std::string& expression) { return Arithmetic(row, expression).timed(); }
 
 json value_of(const Row& row, const std::string& expression) {
   return is_operand(expression) ? operand_of(row, expression) : Arithmetic(row, expression).value();

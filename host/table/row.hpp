@@ -67,6 +67,10 @@ struct Condition {
 /// @throws InputError  what cannot be read
 [[nodiscard]] nlohmann::json value_of(const Row& row, const std::string& expression);
 
+/// The runs whose times arithmetic takes: of "ratio(seconds.solve, formulation=voxel)" two.
+/// @throws InputError  what cannot be read
+[[nodiscard]] Runs runs_in(const Row& row, const std::string& expression);
+
 /// Fields in which the two runs of a ratio() agree.
 inline constexpr std::array<std::string_view, 4> fields_of_a_ratio = {"label", "model", "grid", "problem"};
 

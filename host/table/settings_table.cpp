@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "solve/solver.hpp"
+#include "table/across_nodes.hpp"
 #include "table/experiment_run.hpp"
 #include "table/table_parts.hpp"
 
@@ -159,6 +160,7 @@ void add_row(Block& block, const RecordedRun& first, const RecordedRun& run, con
   cells.emplace_back(setting, text(true));
   add({"termination", "iterations", "seconds", "seconds_half_iqr", "samples"});
   cells.push_back(Cell::of(time, "{:.2f}"));
+  if (time && are_across_nodes(first, run)) mark_across_nodes(cells.back());
   add({"variables", "objective"});
   cells.push_back(Cell::of(above, "{:.3f}"));
   add({"violation", "verified", "setup_seconds"});
@@ -188,6 +190,7 @@ Tables tables_by(By by, const std::vector<RecordedRun>& runs) {
       "constraints, body units;\n"
       "times and distances are those of converged solves\n";
   if (certified) tables.legend += certified_legend;
+  tables.legend += across_nodes_legend(tables);
   tables.legend += provenance_text(pointers(runs)) + '\n';
   return tables;
 }
