@@ -13,6 +13,7 @@
 #include "experiment/outside_nesting.hpp"
 #include "experiment/outside_solve.hpp"
 #include "nest/search/baseline.hpp"
+#include "record/kept_search.hpp"
 #include "record/map_record.hpp"
 #include "record/nest_record.hpp"
 #include "record/record.hpp"
@@ -135,19 +136,41 @@ class Nesting final : public Attempt {
  public:
   Nesting(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
 
-  void run(const Control& control) override { result_ = hooks_.nest(run_.run.nesting(), control); }
+  void run(const Control& control) override {
+    const NestConfig& config = run_.run.nesting();
+    NestHooks hooks;
+    hooks.control = control;
+    std::optional<NestCheckpoint> begun;
+    if (const auto* swarm = part_of<NestSwarm>(config)) {
+      kept_.emplace(checkpoint_of(run_.record, config));
+      islands_ = swarm->exchange > 0;
+      begun = kept_->begun(config);
+      hooks.resume = begun ? &*begun : nullptr;
+      hooks.keep = [this](const NestCheckpoint& now) { kept_->keep(now); };
+      hooks.exchange = [this](const NestCheckpoint& now) {
+        kept_->keep(now);
+        return kept_->better_elsewhere(now);
+      };
+    }
+    result_ = hooks_.nest(config, hooks);
+  }
   [[nodiscard]] bool whole() const override { return result_.ending != NestResult::Ending::interrupted; }
   [[nodiscard]] bool converged() const override { return true; }  // that nothing nests is an answer
   [[nodiscard]] std::string text() const override {
     return fmt::format("{}: {}, scale {:.4f}, {} evaluations, {:.3g} s", run_text(run_.run),
                        termination_of(result_), result_.scale, result_.evaluations, result_.search_seconds);
   }
-  void keep() override { write_nest(run_.record, result_); }
+  void keep() override {
+    write_nest(run_.record, result_);
+    if (kept_ && !islands_) kept_->remove();  // what an island found is for the others, too
+  }
 
  private:
   const PlannedRun& run_;
   const RunnerHooks& hooks_;
   NestResult result_;
+  std::optional<KeptSearch> kept_;  ///< of a search that can go on from where it was
+  bool islands_ = false;
 };
 
 class Simulating final : public Attempt {
