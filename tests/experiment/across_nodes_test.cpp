@@ -26,9 +26,7 @@ constexpr const char* meaning = "different nodes or processors";
 TEST(AcrossNodes, ASpeedUpIsMarkedInTextAndMarkdownAndNotInCsv) {
   const Tables tables =
       tables_by("speedup", {made_on("north", "one", "rayrep", 0.5), made_on("south", "one", "voxel", 4)});
-  EXPECT_EQ(squeezed_line(to_text(tables), "ellipsoid").find("ellipsoid 40x26x26 | 0.500 | 4.00 | 8.00 †"),
-            0u)
-      << to_text(tables);
+  EXPECT_NE(to_text(tables).find("8.00 †"), std::string::npos) << to_text(tables);
   EXPECT_NE(to_text(tables).find(meaning), std::string::npos);
   EXPECT_NE(to_markdown(tables).find("8.00 †"), std::string::npos);
   EXPECT_NE(to_markdown(tables).find(meaning), std::string::npos);
