@@ -137,15 +137,15 @@ def read(path):
 
 
 def section_html(section):
-    found = [read(path) for path in section["records"]]
+    found = [read(path) for path in section["records"]] if section["figures"] else []  # a sweep has many
     for record, simulation in section.get("simulations", {}).items():  # for simulate.py
         next(run for run in found if str(run["path"]) == record)["simulation"] = simulation
     lines = [f'<h2 id="{text(section["name"])}">{text(section["title"])}</h2>', about_html(section["about"])]
-    counts = f"{len(found)} records of <code>bench run {text(section['name'])}</code>"
-    dates = sorted(run["provenance"]["started"] for run in found if run["provenance"].get("started"))
-    if dates:
-        counts += f", {text(dates[0])} to {text(dates[-1])}"
-    counts += f". {text(records.provenance_line(found))}."
+    counts = f"{len(section['records'])} records of <code>bench run {text(section['name'])}</code>"
+    made = section["made"]
+    if made["dates"]:
+        counts += f", {text(made['dates'][0])} to {text(made['dates'][1])}"
+    counts += f". Commit {text(made['commit'])}; device {text(made['device'])}; host {text(made['host'])}."
     lines.append(f'<p class="quiet">{counts}</p>')
     if section["missing"]:
         lines.append(f'<p class="missing">{section["missing"]} of {section["runs"]} runs are not on record.</p>')

@@ -30,6 +30,13 @@ extending() {
 # Experiments on a Slurm of this machine's own, with fifty kills.
 slurm() { tests/cluster/slurm.sh build/dev 50; }
 
+# What reads a sweep of 100000 records takes at most a minute and a gigabyte, each; KREISEL_SWEEP says another number.
+sweep() { cmake --build build/dev --target bench synthetic_records && tests/cluster/sweep.sh build/dev "${KREISEL_SWEEP:-100000}"; }
+
+# Do islands find more than seeds apart, in the same processor time? Are two nodes faster than one? (docs/cluster.md)
+islands() { tests/cluster/islands.sh build/dev; }
+two_nodes() { tests/cluster/two_nodes.sh build/dev; }
+
 # Every reader fed by libFuzzer, for ten minutes each; KREISEL_FUZZ_SECONDS says otherwise. What it finds lies in
 # build/fuzz/found: mend it, and add the file to tests/data/fuzz.
 fuzz() {
@@ -46,7 +53,7 @@ fuzz() {
   return $wrong
 }
 
-[ $# -gt 0 ] || set -- threads sanitized extending slurm fuzz
+[ $# -gt 0 ] || set -- threads sanitized extending slurm sweep islands two_nodes fuzz
 for name; do
   began=$SECONDS
   if "$name"; then ending=passed; else ending=FAILED failed=1; fi

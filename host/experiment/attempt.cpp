@@ -13,13 +13,13 @@
 #include "experiment/outside_nesting.hpp"
 #include "experiment/outside_solve.hpp"
 #include "nest/search/baseline.hpp"
+#include "record/kept_search.hpp"
 #include "record/map_record.hpp"
 #include "record/nest_record.hpp"
 #include "record/record.hpp"
 #include "record/records_in.hpp"
 #include "record/simulation_record.hpp"
 #include "table/experiment_run.hpp"
-#include "table/recorded_run.hpp"
 
 namespace kreisel::core {
 namespace fs = std::filesystem;
@@ -136,19 +136,41 @@ class Nesting final : public Attempt {
  public:
   Nesting(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
 
-  void run(const Control& control) override { result_ = hooks_.nest(run_.run.nesting(), control); }
+  void run(const Control& control) override {
+    const NestConfig& config = run_.run.nesting();
+    NestHooks hooks;
+    hooks.control = control;
+    std::optional<NestCheckpoint> begun;
+    if (const auto* swarm = part_of<NestSwarm>(config)) {
+      kept_.emplace(checkpoint_of(run_.record, config));
+      islands_ = swarm->exchange > 0;
+      begun = kept_->begun(config);
+      hooks.resume = begun ? &*begun : nullptr;
+      hooks.keep = [this](const NestCheckpoint& now) { kept_->keep(now); };
+      hooks.exchange = [this](const NestCheckpoint& now) {
+        kept_->keep(now);
+        return kept_->better_elsewhere(now);
+      };
+    }
+    result_ = hooks_.nest(config, hooks);
+  }
   [[nodiscard]] bool whole() const override { return result_.ending != NestResult::Ending::interrupted; }
   [[nodiscard]] bool converged() const override { return true; }  // that nothing nests is an answer
   [[nodiscard]] std::string text() const override {
     return fmt::format("{}: {}, scale {:.4f}, {} evaluations, {:.3g} s", run_text(run_.run),
                        termination_of(result_), result_.scale, result_.evaluations, result_.search_seconds);
   }
-  void keep() override { write_nest(run_.record, result_); }
+  void keep() override {
+    write_nest(run_.record, result_);
+    if (kept_ && !islands_) kept_->remove();  // what an island found is for the others, too
+  }
 
  private:
   const PlannedRun& run_;
   const RunnerHooks& hooks_;
   NestResult result_;
+  std::optional<KeptSearch> kept_;  ///< of a search that can go on from where it was
+  bool islands_ = false;
 };
 
 class Simulating final : public Attempt {
@@ -174,12 +196,13 @@ class Simulating final : public Attempt {
 
 /// Whether more timed solves are asked for than when the record was made, and would be made now. A record
 /// that was asked the same is as good as another one would be.
-bool wants_more_samples(const RunConfig& config, const nlohmann::json& record) {
+bool wants_more_samples(const RunConfig& config, const fs::path& record) {
+  if (config.repeat <= 1) return false;  // each is timed once
+  const RunResult made = read_timing(record);
   double spent = 0;
-  for (const nlohmann::json& sample : record.at("samples")) spent += sample.at("solve").get<double>();
-  return (record.at("repeat") < config.repeat || record.at("budget_seconds") < config.budget_seconds) &&
-         record.at("samples").size() < static_cast<std::size_t>(config.repeat) &&
-         spent < config.budget_seconds;
+  for (const Seconds& sample : made.samples) spent += sample.solve;
+  return (made.config.repeat < config.repeat || made.config.budget_seconds < config.budget_seconds) &&
+         made.samples.size() < static_cast<std::size_t>(config.repeat) && spent < config.budget_seconds;
 }
 
 }  // namespace
@@ -208,19 +231,17 @@ std::unique_ptr<Attempt> make_attempt(const PlannedRun& run, const RunnerHooks& 
 OnRecord on_record(const PlannedRun& run) {
   std::error_code ignored;
   if (!fs::exists(run.record, ignored)) return {};
-  const Record record = read_record(run.record);
-  const nlohmann::json node = value_in(record.summary, "provenance.host");
+  const Standing standing = standing_of_record(run.record);
   const auto state = [&] {
-    if (is_limit(limits_of(run.run), record.error)) return RunState::finished;
-    if (!record.error.empty()) return RunState::failed;
-    if (record.kind == RecordKind::map && record.summary.at("termination") != "complete")
-      return RunState::missing;
-    if (record.kind != RecordKind::run) return RunState::finished;
+    if (is_limit(limits_of(run.run), standing.error)) return RunState::finished;
+    if (!standing.error.empty()) return RunState::failed;
+    if (!standing.complete) return RunState::missing;
+    if (standing.kind != RecordKind::run) return RunState::finished;
     if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
-    if (wants_more_samples(run.run.solve(), record.summary)) return RunState::few_samples;
+    if (wants_more_samples(run.run.solve(), run.record)) return RunState::few_samples;
     return RunState::finished;
   };
-  return {state(), node.is_string() ? node.get<std::string>() : ""};
+  return {state(), standing.host};
 }
 
 }  // namespace kreisel::core

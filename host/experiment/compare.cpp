@@ -12,7 +12,6 @@
 #include "error.hpp"
 #include "record/records_in.hpp"
 #include "statistics.hpp"
-#include "table/recorded_run.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -23,12 +22,12 @@ TimedRun timed(const Record& record) {
   constexpr std::array names = {"run", "map", "nesting"};
   TimedRun run{names[static_cast<std::size_t>(record.kind)], record.config(), record.error, "", {}, {}};
   const auto number = [&](const char* name) {
-    const nlohmann::json found = value_in(record.summary, name);
+    const nlohmann::json found = record.summary.at(name);
     return found.is_number() ? std::optional(found.get<double>()) : std::nullopt;
   };
   if (!record.error.empty()) return run;
   if (record.kind != RecordKind::map) run.ending = record.summary.at("termination");
-  const nlohmann::json samples = value_in(record.summary, "samples");
+  const nlohmann::json samples = record.summary.at("samples");
   for (const nlohmann::json& sample : samples) run.seconds.push_back(sample.at("solve"));
   for (const char* name : {"seconds.sweep", "seconds.search"})
     if (const auto seconds = number(name)) run.seconds.push_back(*seconds);

@@ -10,24 +10,33 @@
 #include "table/table_kinds.hpp"
 
 namespace kreisel::core {
-Tables tables_of(const Experiment& experiment, const std::vector<RecordedRun>& runs) {
+namespace {
+
+/// Of runs that are on record, or could be.
+Tables tables_of_present(const Experiment& experiment, const std::vector<RecordedRun>& runs) {
   std::optional<Published> published;
   if (!experiment.published.empty()) published = read_published(published_file(experiment.published));
-  std::vector<RecordedRun> present;
-  std::map<std::string, int> absent;  // runs by what they lack
+  if (experiment.layout) return tables_of(*experiment.layout, runs, published);
+  if (const TableKind* kind = find_table_kind(experiment.table)) return kind->make(runs, published);
+  return tables_of(find_layout(experiment.table), runs, published);
+}
+
+}  // namespace
+
+Tables tables_of(const Experiment& experiment, const std::vector<RecordedRun>& runs) {
+  std::vector<std::string> lacks;  // of each run
+  std::map<std::string, int> absent;
   for (const RecordedRun& run : runs) {
-    const std::string lacks = run.record ? "" : text_of_absent(run.run);
-    if (lacks.empty())
-      present.push_back(run);
-    else
-      ++absent[lacks];
+    lacks.push_back(run.record ? "" : text_of_absent(run.run));
+    if (!lacks.back().empty()) ++absent[lacks.back()];
   }
-  const TableKind* kind = find_table_kind(experiment.table);
-  Tables tables = experiment.layout ? tables_of(*experiment.layout, present, published)
-                  : kind            ? kind->make(present, published)
-                                    : tables_of(find_layout(experiment.table), present, published);
-  for (const auto& [lacks, count] : absent)
-    tables.legend += fmt::format("left out: {} run{}, {}\n", count, count == 1 ? "" : "s", lacks);
+  if (absent.empty()) return tables_of_present(experiment, runs);  // not copied: there may be many
+  std::vector<RecordedRun> present;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (lacks[i].empty()) present.push_back(runs[i]);
+  Tables tables = tables_of_present(experiment, present);
+  for (const auto& [what, count] : absent)
+    tables.legend += fmt::format("left out: {} run{}, {}\n", count, count == 1 ? "" : "s", what);
   return tables;
 }
 

@@ -32,12 +32,7 @@ struct RunnerHooks {
     return map_orientations(session, map_spec(asked), control);
   };
   std::function<Simulation(const SimulationRun&, const Control&)> simulation = run_simulation;
-  std::function<NestResult(const NestConfig&, const Control&)> nest = [](const NestConfig& config,
-                                                                         const Control& control) {
-    NestHooks hooks;
-    hooks.control = control;
-    return run_nest(config, hooks);
-  };
+  std::function<NestResult(const NestConfig&, const NestHooks&)> nest = run_nest;
   std::stop_token stop = {};
   /// Of a run that failed before it could say itself.
   std::function<Provenance(const ExperimentRun&)> provenance;

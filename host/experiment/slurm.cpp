@@ -25,6 +25,20 @@ void require_plain(const char* option, const std::string& text, std::string_view
 constexpr std::string_view of_names = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.,";
 constexpr std::string_view of_times = "0123456789:-";
 
+/// A run that outlasts the task's time and cannot be kept would go round for ever.
+constexpr int most_restarts = 100;
+
+/// USR1 comes a minute before the time is over: what can be kept is, and the task is queued again. TERM comes
+/// from whoever ends the job.
+constexpr const char* out_of_time = R"(stop() {{ kill -TERM $share; wait $share; }}
+again() {{
+  stop
+  [ "${{SLURM_RESTART_COUNT:-0}}" -lt {} ] && exec scontrol requeue "$SLURM_JOB_ID"
+}}
+trap 'again; exit 130' USR1
+trap 'stop; exit 130' TERM
+)";
+
 fs::path whole_path(const fs::path& path) { return fs::absolute(path).lexically_normal(); }
 
 }  // namespace
@@ -52,12 +66,14 @@ std::string script_of(const ArrayJob& job) {
   if (!job.partition.empty()) say("--partition=" + job.partition);
   if (!job.time.empty()) say("--time=" + job.time);
   say("--requeue");
-  say("--signal=B:TERM@60");
+  say("--signal=B:USR1@60");
   say("--open-mode=append");
   // Kernels are compiled once a node; a home that all nodes share would be written by all of them at once.
   script += "export POCL_CACHE_DIR=\"${TMPDIR:-/tmp}/kreisel-pocl-$(id -u)\"\n";
   script += "mkdir -p \"$POCL_CACHE_DIR\"\n";
-  script += fmt::format("exec {} --shard \"$SLURM_ARRAY_TASK_ID/{}\"\n", words, job.tasks);
+  script += fmt::format(out_of_time, most_restarts);
+  script +=
+      fmt::format("{} --shard \"$SLURM_ARRAY_TASK_ID/{}\" &\nshare=$!\nwait $share\n", words, job.tasks);
   return script;
 }
 

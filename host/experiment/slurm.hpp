@@ -22,7 +22,7 @@ struct ArrayJob {
 [[nodiscard]] std::filesystem::path job_folder(const ArrayJob& job);
 
 /// The script. A task is `bench run --shard I/N` on one core. It is told to stop a minute before its time is
-/// over and is queued again after a node fails; it then goes on with what is not on record yet.
+/// over. Then, and after a node fails, it is queued again, and goes on with what is not on record yet.
 /// @throws InputError  no task, a partition or time that Slurm would not take
 [[nodiscard]] std::string script_of(const ArrayJob& job);
 

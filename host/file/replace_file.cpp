@@ -13,9 +13,13 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <map>
+#include <mutex>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "error.hpp"
 
@@ -64,22 +68,38 @@ class Temporary {
   Slot* slot_ = nullptr;  ///< none where there are too many at a time
 };
 
+constexpr std::string_view suffix = ".tmp";
+
+/// Names in a folder that end as temporary ones do, when this process first wrote there: a sweep writes a
+/// hundred thousand files into one, and a look at all of them for each would take longer than its runs.
+std::vector<std::string> temporary_names_in(const fs::path& folder) {
+  static std::mutex looking;
+  static std::map<fs::path, std::vector<std::string>> seen;
+  const std::scoped_lock lock(looking);
+  const auto [known, is_new] = seen.try_emplace(folder);
+  std::error_code error;
+  if (is_new)
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+      if (std::string name = entry.path().filename().string(); name.ends_with(suffix))
+        known->second.push_back(std::move(name));
+  return known->second;
+}
+
 /// What a run that was killed has left: temporary names of this file whose process is gone. Those of an hour
 /// are left alone: on a folder that machines share the process may be another's.
 void sweep_stale(const fs::path& path) {
-  const std::string prefix = path.filename().string() + ".", suffix = ".tmp";
+  const std::string prefix = path.filename().string() + ".";
   const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with(prefix) || !name.ends_with(suffix)) continue;
+  for (const std::string& name : temporary_names_in(folder)) {
+    if (!name.starts_with(prefix)) continue;
     const char* begin = name.data() + prefix.size();
     pid_t process = 0;
     const auto [end, status] = std::from_chars(begin, name.data() + name.size() - suffix.size(), process);
     if (status != std::errc() || process <= 0) continue;
-    const auto age = fs::file_time_type::clock::now() - entry.last_write_time(error);
+    std::error_code error;
+    const auto age = fs::file_time_type::clock::now() - fs::last_write_time(folder / name, error);
     if (error || age < std::chrono::hours(1)) continue;
-    if (::kill(process, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), error);
+    if (::kill(process, 0) != 0 && errno == ESRCH) fs::remove(folder / name, error);
   }
 }
 

@@ -97,7 +97,7 @@ class FromHdf5 {
   template <class Map>
   void names(std::string_view path, std::string_view prefix, std::string_view, Map& map) {
     if (!path.empty() && !root_.contains(std::string(path))) return;
-    const hdf5::Group group = at_group(path);
+    const hdf5::Group& group = at_group(path);
     for (const std::string& name : group.attributes()) {
       if (!name.starts_with(prefix)) continue;
       if constexpr (std::same_as<typename Map::mapped_type, double>)
@@ -173,13 +173,14 @@ class FromHdf5 {
   }
 
  private:
-  [[nodiscard]] std::pair<hdf5::Group, std::string> at(std::string_view file) const;
-  [[nodiscard]] hdf5::Group at_group(std::string_view path) const;
+  [[nodiscard]] std::pair<const hdf5::Group&, std::string> at(std::string_view file);
+  [[nodiscard]] const hdf5::Group& at_group(std::string_view path);
   /// An attribute, dataset or group of that path.
-  [[nodiscard]] bool there(std::string_view file) const;
+  [[nodiscard]] bool there(std::string_view file);
 
   const hdf5::Group& root_;
   std::string name_;
+  std::map<std::string, hdf5::Group, std::less<>> groups_;  ///< opened so far: it takes as long as ten values
 };
 
 }  // namespace kreisel::core::fields

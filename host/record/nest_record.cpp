@@ -263,7 +263,10 @@ void describe(F& f, R& r) {
 }  // namespace
 
 void write_nest(const std::filesystem::path& path, const NestResult& result) {
-  fields::write_with(path, [&](fields::ToHdf5& f) { of_nest::describe(f, result); });
+  fields::write_with(path, [&](fields::ToHdf5& f) {
+    of_nest::describe(f, result);
+    fields::keep_summary(f, to_json(result));
+  });
 }
 
 NestResult read_nest(const std::filesystem::path& path) {

@@ -29,6 +29,10 @@ void write_failure(const std::filesystem::path& path, const Run& run, const Prov
 /// @throws InputError  not a record, one of a run that failed, or of a newer schema
 [[nodiscard]] RunResult read_run(const std::filesystem::path& path);
 
+/// Of such a run its timed solves alone, and how often and long it was to be timed; all else is as in a new
+/// one. @throws InputError  as read_run()
+[[nodiscard]] RunResult read_timing(const std::filesystem::path& path);
+
 /// The summary with the field names of "Machine-readable output" in docs/.
 [[nodiscard]] nlohmann::json to_json(const RunResult& result);
 

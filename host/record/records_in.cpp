@@ -55,7 +55,8 @@ nlohmann::json summary_of_failure(const hdf5::File& file, const std::filesystem:
 }  // namespace
 
 std::map<std::string, std::string> Record::config() const {
-  return summary.at("config").get<std::map<std::string, std::string>>();
+  const nlohmann::json config = summary.at("config");
+  return config.get<std::map<std::string, std::string>>();
 }
 
 RecordKind kind_of_record(const std::filesystem::path& path) {
@@ -65,19 +66,32 @@ RecordKind kind_of_record(const std::filesystem::path& path) {
 Record read_record(const std::filesystem::path& path) {
   Record record;
   record.path = path;
-  const Kind* kind = nullptr;
-  {
-    const hdf5::File file = hdf5::File::open(path);
-    kind = &kind_in(file, path);
-    record.kind = kind->kind;
-    require_schema(file, path.string(), kind->schema);
-    if (file.has("error")) {
-      record.error = file.text("error");
-      record.summary = summary_of_failure(file, path);
-    }
-  }
-  if (record.error.empty()) record.summary = kind->summary(path);
+  const hdf5::File file = hdf5::File::open(path);  // stays open: what is read once is not read again
+  const Kind& kind = kind_in(file, path);
+  record.kind = kind.kind;
+  require_schema(file, path.string(), kind.schema);
+  if (file.has("error")) record.error = file.text("error");
+  if (!record.error.empty())
+    record.summary = summary_of_failure(file, path);
+  else if (const nlohmann::json kept = fields::kept_summary(file); kept.is_object())
+    record.summary = kept;
+  else
+    record.summary = kind.summary(path);
   return record;
+}
+
+Standing standing_of_record(const std::filesystem::path& path) {
+  const hdf5::File file = hdf5::File::open(path);
+  const Kind& kind = kind_in(file, path);
+  require_schema(file, path.string(), kind.schema);
+  Standing standing;
+  standing.kind = kind.kind;
+  if (file.contains("provenance")) standing.host = file.group("provenance").text("host");
+  if (file.has("error"))
+    standing.error = file.text("error");
+  else if (kind.kind == RecordKind::map)
+    standing.complete = file.integer("complete") != 0;
+  return standing;
 }
 
 void write_failure(const std::filesystem::path& path, const Run& run, const Provenance& provenance,

@@ -3,9 +3,10 @@
 
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "record/summary.hpp"
 
 namespace kreisel::core {
 
@@ -15,8 +16,8 @@ enum class RecordKind { run, map, nesting, simulation };
 struct Record {
   std::filesystem::path path;
   RecordKind kind = RecordKind::run;
-  std::string error;       ///< of a failed run; then there is only what was asked for, by whom and where
-  nlohmann::json summary;  ///< with the field names of docs/output.md
+  std::string error;  ///< of a failed run; then there is only what was asked for, by whom and where
+  Summary summary;    ///< with the field names of docs/output.md
 
   /// What was asked for, a text for each field.
   [[nodiscard]] std::map<std::string, std::string> config() const;
@@ -27,6 +28,16 @@ struct Record {
 
 /// @throws InputError  as kind_of_record()
 [[nodiscard]] Record read_record(const std::filesystem::path& path);
+
+/// What tells whether a run is finished, and who made it: a few values, where read_record() reads all.
+struct Standing {
+  RecordKind kind = RecordKind::run;
+  std::string error, host;  ///< as Record::error; the machine that made it, empty where it is not known
+  bool complete = true;     ///< of a map: all its axes
+};
+
+/// @throws InputError  as kind_of_record()
+[[nodiscard]] Standing standing_of_record(const std::filesystem::path& path);
 
 /// The file itself, or every record in the folder and those below it, sorted.
 /// @throws InputError  nothing there, or no records in it

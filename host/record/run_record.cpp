@@ -166,6 +166,13 @@ void outcome_fields(F& f, O& o) {
 }
 
 template <class F, class R>
+void timing_fields(F& f, R& r) {
+  f.value("solve/repeat", "repeat", r.config.repeat);
+  f.value("solve/budget", "budget_seconds", r.config.budget_seconds, "s");
+  f.rows("solve/samples", "samples", r.samples, "s", seconds_columns);
+}
+
+template <class F, class R>
 void solve_fields(F& f, R& r) {
   outcome_fields(f, r.outcome);
   f.value("variables", "variables", r.variables);
@@ -174,8 +181,7 @@ void solve_fields(F& f, R& r) {
   f.late("solve/scope", "scope", r.scope);
   f.late("solve/infeasibility", "infeasibility", r.infeasibility);
   f.late("solve/remedies", "remedies", r.remedies);
-  f.value("solve/repeat", "repeat", r.config.repeat);
-  f.value("solve/budget", "budget_seconds", r.config.budget_seconds, "s");
+  timing_fields(f, r);
   f.names("solve", "formulation_", "formulation_settings", r.formulation_settings);
   f.bulk("solve", [&](hdf5::Group& group) { write_variables(group, r); });
   const Moments in_model = r.model_moments(r.outcome.moments);
@@ -193,7 +199,6 @@ void solve_fields(F& f, R& r) {
     f.rows("solve/refinements", "refinements", r.outcome.refinements, "1; s (seconds)", refinement_columns);
   else
     f.given("refinements", json::array());
-  f.rows("solve/samples", "samples", r.samples, "s", seconds_columns);
   f.row("solve/median", "seconds", r.median, "s", seconds_columns);
 }
 
@@ -287,12 +292,21 @@ void describe(F& f, R& r) {
 }  // namespace
 
 void write_record(const std::filesystem::path& path, const RunResult& result) {
-  fields::write_with(path, [&](fields::ToHdf5& f) { of_run::describe(f, result); });
+  fields::write_with(path, [&](fields::ToHdf5& f) {
+    of_run::describe(f, result);
+    fields::keep_summary(f, to_json(result));
+  });
 }
 
 RunResult read_run(const std::filesystem::path& path) {
   RunResult result;
   fields::read_with(path, run_schema, [&](fields::FromHdf5& f) { of_run::describe(f, result); });
+  return result;
+}
+
+RunResult read_timing(const std::filesystem::path& path) {
+  RunResult result;
+  fields::read_with(path, run_schema, [&](fields::FromHdf5& f) { of_run::timing_fields(f, result); });
   return result;
 }
 

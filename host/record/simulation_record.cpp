@@ -210,7 +210,10 @@ void describe(F& f, S& s) {
 }  // namespace
 
 void write_simulation(const std::filesystem::path& path, const Simulation& simulation) {
-  fields::write_with(path, [&](fields::ToHdf5& f) { of_simulation::describe(f, simulation); });
+  fields::write_with(path, [&](fields::ToHdf5& f) {
+    of_simulation::describe(f, simulation);
+    fields::keep_summary(f, to_json(simulation));
+  });
 }
 
 Simulation read_simulation(const std::filesystem::path& path) {

@@ -1,13 +1,13 @@
 #include "record/to_json.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace kreisel::core::fields {
 
-using nlohmann::json;
-
-json& place(json& root, std::string_view path) {
-  json* at = &root;
+nlohmann::json& place(nlohmann::json& root, std::string_view path) {
+  nlohmann::json* at = &root;
   while (!path.empty()) {
     const std::size_t dot = std::min(path.find('.'), path.size());
     const std::string word(path.substr(0, dot));
@@ -20,8 +20,31 @@ json& place(json& root, std::string_view path) {
   return *at;
 }
 
-json plain(const json& value) {
-  return json::parse(value.dump(-1, ' ', false, json::error_handler_t::replace));
+namespace {
+
+bool is_ascii(const std::string& text) {
+  return std::ranges::all_of(text, [](unsigned char c) { return c < 0x80; });
+}
+
+/// A text, or a name in the object, that may be no UTF-8.
+bool has_odd_text(const nlohmann::json& value) {
+  if (value.is_string()) return !is_ascii(value.get_ref<const std::string&>());
+  if (!value.is_object()) return false;
+  for (auto item = value.begin(); item != value.end(); ++item)
+    if (!is_ascii(item.key())) return true;
+  return false;
+}
+
+}  // namespace
+
+nlohmann::json plain(nlohmann::json value) {
+  if (has_odd_text(value))
+    return nlohmann::json::parse(value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  if (value.is_structured())
+    for (nlohmann::json& item : value) item = plain(std::move(item));
+  else if (value.is_number_float() && !std::isfinite(value.get<double>()))
+    value = nullptr;
+  return value;
 }
 
 }  // namespace kreisel::core::fields

@@ -13,7 +13,7 @@ namespace kreisel::core::fields {
 
 /// NaN and infinity become null, bytes that are no UTF-8 the replacement character: what dump() writes, read
 /// back, so that whoever dumps the answer need not think of either.
-[[nodiscard]] nlohmann::json plain(const nlohmann::json& value);
+[[nodiscard]] nlohmann::json plain(nlohmann::json value);
 
 /// Fields have a place in the file and one in JSON; "" where they are not there.
 class ToJson {
@@ -91,7 +91,7 @@ class ToJson {
     for (auto& item : items) visit(item, index++);
   }
 
-  [[nodiscard]] nlohmann::json json() const { return plain(root_); }
+  [[nodiscard]] nlohmann::json json() && { return plain(std::move(root_)); }
 
  private:
   struct ObjectColumns {

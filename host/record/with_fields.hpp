@@ -5,10 +5,19 @@
 
 #include "record/from_hdf5.hpp"
 #include "record/schema.hpp"
+#include "record/summary.hpp"
 #include "record/to_hdf5.hpp"
 #include "record/to_json.hpp"
 
 namespace kreisel::core::fields {
+
+/// Keeps a summary in the record that it is of, so that who sets out a hundred thousand of them reads one
+/// text each. Not a long one, which would double the file.
+void keep_summary(ToHdf5& file, const nlohmann::json& summary);
+
+/// The summary as it was kept; null where there is none, or where another program than this wrote it: then
+/// what is said of a run may be more today.
+[[nodiscard]] nlohmann::json kept_summary(const hdf5::File& file);
 
 /// Temporary name in the same folder, then renamed. @throws InputError  the folder cannot be written
 template <class Describe>
@@ -35,7 +44,7 @@ template <class Describe>
 [[nodiscard]] nlohmann::json json_with(const Describe& describe) {
   ToJson fields;
   describe(fields);
-  return fields.json();
+  return std::move(fields).json();
 }
 
 }  // namespace kreisel::core::fields

@@ -77,6 +77,8 @@ struct NestScale : NestTurn, NestPlace, NestDecision {
 /// Where does it nest largest? What is not free is as given.
 struct NestSwarm : NestTurn, NestPlace, NestDecision, NestSearch {
   int timings = 0;
+  int exchange =
+      0;  ///< iterations after which islands, swarms of other seeds, hear of each other's best; 0: never
 };
 
 /// The same for each of several layers; what is not free lies about the centroid of the space inside.

@@ -293,6 +293,15 @@ Fields<T> timing_fields() {
         [](const T& c) { return text_of_number(c.timings); }}});
 }
 
+/// Of swarms that run beside each other.
+Fields<NestSwarm> island_fields() {
+  return grouped<NestSwarm>(
+      "swarm", {{"exchange", "",
+                 "iterations after which swarms of other seeds hear of each other's best; default 0, never",
+                 [](NestSwarm& c, S n, S v) { c.exchange = whole(n, v, 0); },
+                 [](const NestSwarm& c) { return text_of_number(c.exchange); }}});
+}
+
 Fields<NestTest> test_fields() {
   return grouped<NestTest>(
       "placement", {{"scale", "", "test this scale of the inner shape; default: search for the largest",
@@ -378,9 +387,10 @@ std::vector<NestKindEntry> make_kinds() {
       entry<NestTest>("test", "a test of one scale", "does a shape nest at one placement and scale", "scale",
                       joined<NestTest>(test_fields(), turn_fields(), place_fields(), decision_fields(),
                                        timing_fields<NestTest>())),
-      entry<NestSwarm>("swarm", "a search over placements", "where does a shape nest largest", "free",
-                       joined<NestSwarm>(turn_fields(), place_fields(), decision_fields(), free_fields(),
-                                         swarm_fields(), climb_fields(), timing_fields<NestSwarm>())),
+      entry<NestSwarm>(
+          "swarm", "a search over placements", "where does a shape nest largest", "free",
+          joined<NestSwarm>(turn_fields(), place_fields(), decision_fields(), free_fields(), swarm_fields(),
+                            climb_fields(), island_fields(), timing_fields<NestSwarm>())),
       entry<NestLayers>("layers", "a nesting of layers", "shapes in shapes, with walls between them",
                         "layers",
                         joined<NestLayers>(layer_fields(), turn_fields(), decision_fields(), free_fields(),

@@ -147,7 +147,12 @@ class OneNesting {
 
   void search_placements(const NestSwarm& asked, const nest::Nesting& nesting, device::Device& device,
                          nest::Placement& placement, const Stopwatch& setup) {
-    const nest::OptimiseSpec spec = spec_of(asked, nesting, placement);
+    nest::OptimiseSpec spec = spec_of(asked, nesting, placement);
+    if (hooks_.exchange && asked.exchange > 0)
+      spec.guest = [&](const nest::SearchState& state) {
+        if (state.swarm.iteration % asked.exchange != 0) return std::vector<double>();
+        return hooks_.exchange({config_, state, result_.trace_seconds});
+      };
     if (hooks_.resume) result_.trace_seconds = hooks_.resume->seconds;
     const double before = result_.trace_seconds.empty() ? 0 : result_.trace_seconds.back();
     result_.setup_seconds = setup.seconds();

@@ -78,6 +78,8 @@ struct NestHooks {
   /// Told of each iteration of a search, a layer's too; false ends it, and what was found is kept.
   std::function<bool(const nest::SearchState&)> on_iteration = {};
   const NestCheckpoint* resume = nullptr;
+  /// Told of the search every NestSwarm::exchange iterations: a position that another one found, or nothing.
+  std::function<std::vector<double>(const NestCheckpoint&)> exchange = {};
   nest::Optimiser optimise = nest::optimise;
 };
 

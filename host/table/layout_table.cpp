@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <unordered_map>
 
+#include "table/across_nodes.hpp"
 #include "table/columns.hpp"
 #include "table/experiment_run.hpp"
 
@@ -14,8 +17,7 @@ using nlohmann::json;
 
 /// Rows of a block, and what is said above and below them.
 struct LaidBlock {
-  std::string key;
-  Runs runs;
+  std::unique_ptr<RunGroup> group;  ///< stays where it is, for its rows
   std::vector<Row> rows;
 };
 
@@ -48,6 +50,7 @@ class Setter {
     for (const LayoutLine& line : layout_.legend)
       if (all_hold(line.when))
         if (const auto text = text_of(whole, line.pattern)) tables.legend += *text + '\n';
+    tables.legend += across_nodes_legend(tables);
     return tables;
   }
 
@@ -61,7 +64,7 @@ class Setter {
   [[nodiscard]] bool all_hold(const std::vector<Condition>& conditions) const {
     return std::ranges::all_of(conditions, [&](const Condition& c) { return holds(c); });
   }
-  [[nodiscard]] Row row_of_all(const Runs& runs) const { return {runs, runs, published_}; }
+  [[nodiscard]] Row row_of_all(const Runs& runs) const { return {runs, nullptr, published_}; }
 
   [[nodiscard]] std::string key_of(const RecordedRun& run, const std::vector<std::string>& names) const {
     std::string key;
@@ -70,50 +73,54 @@ class Setter {
   }
 
   std::vector<LaidBlock> laid_out() const {
-    std::vector<LaidBlock> blocks;
+    std::vector<Runs> blocks;
+    std::unordered_map<std::string, std::size_t> known;
     const bool each_run = layout_.groups == std::vector<std::string>{"run"};
     for (const RecordedRun* run : all_) {
       const std::string key = each_run ? fmt::format("{}", blocks.size()) : key_of(*run, layout_.groups);
-      auto block = std::ranges::find(blocks, key, &LaidBlock::key);
-      if (block == blocks.end()) block = blocks.insert(blocks.end(), LaidBlock{key, {}, {}});
-      block->runs.push_back(run);
+      const auto [at, is_new] = known.try_emplace(key, blocks.size());
+      if (is_new) blocks.emplace_back();
+      blocks[at->second].push_back(run);
     }
     if (blocks.empty() && layout_.groups.empty()) blocks.emplace_back();
-    for (LaidBlock& block : blocks) block.rows = rows_of(block.runs);
-    return blocks;
+    std::vector<LaidBlock> laid;
+    for (Runs& runs : blocks) {
+      auto group = std::make_unique<RunGroup>(std::move(runs));
+      std::vector<Row> rows = rows_of(*group);
+      laid.push_back({std::move(group), std::move(rows)});
+    }
+    return laid;
   }
 
-  std::vector<Row> rows_of(const Runs& runs) const {
-    std::vector<std::string> keys;
+  std::vector<Row> rows_of(const RunGroup& group) const {
+    std::unordered_map<std::string, std::size_t> known;
     std::vector<Row> rows;
-    for (const RecordedRun* run : runs) {
+    for (const RecordedRun* run : group.runs()) {
       if (layout_.only && !layout_.only->holds(*run)) continue;
-      const std::string key = layout_.rows.empty() ? "" : key_of(*run, layout_.rows);
-      const auto known = std::ranges::find(keys, key);
-      if (!layout_.rows.empty() && known != keys.end()) {
-        rows[static_cast<std::size_t>(known - keys.begin())].runs.push_back(run);
-        continue;
+      if (!layout_.rows.empty()) {
+        const auto [at, is_new] = known.try_emplace(key_of(*run, layout_.rows), rows.size());
+        if (!is_new) {
+          rows[at->second].runs.push_back(run);
+          continue;
+        }
       }
-      for (Row& row : rows_of_run(*run, runs)) {
-        keys.push_back(key);
-        rows.push_back(std::move(row));
-      }
+      for (Row& row : rows_of_run(*run, group)) rows.push_back(std::move(row));
     }
     if (layout_.as_published && published_)
       std::ranges::stable_sort(rows, {}, [&](const Row& row) { return place_in_paper(row); });
     return rows;
   }
 
-  std::vector<Row> rows_of_run(const RecordedRun& run, const Runs& group) const {
-    if (layout_.each.empty()) return {Row{{&run}, group, published_}};
+  std::vector<Row> rows_of_run(const RecordedRun& run, const RunGroup& group) const {
+    if (layout_.each.empty()) return {Row{{&run}, &group, published_}};
     std::vector<Row> rows;
     const json list = run.at(layout_.each);
     for (std::size_t i = 0; list.is_array() && i < list.size(); ++i) {
-      rows.push_back({{&run}, group, published_, list[i].is_object() ? list[i] : json{{"value", list[i]}}});
+      rows.push_back({{&run}, &group, published_, list[i].is_object() ? list[i] : json{{"value", list[i]}}});
       rows.back().item["index"] = i + 1;
     }
     // A run without a record has a row of what was asked, where the others have several.
-    if (list.is_null() && !layout_.only) rows.push_back({{&run}, group, published_});
+    if (list.is_null() && !layout_.only) rows.push_back({{&run}, &group, published_});
     return rows;
   }
 
@@ -149,7 +156,7 @@ class Setter {
 
   Block made_of(const LaidBlock& laid) const {
     Block block{"", sheet(), ""};
-    const Row whole = row_of_all(laid.runs);
+    const Row whole = row_of_all(laid.group->runs());
     for (const std::string& pattern : layout_.heading)
       if (const auto line = text_of(whole, pattern))
         block.heading += (block.heading.empty() ? "" : "\n") + *line;
@@ -162,7 +169,7 @@ class Setter {
       before = row.runs.front();
     }
     if (layout_.rows.empty())
-      for (const RecordedRun* run : laid.runs) block.notes += note(*run);
+      for (const RecordedRun* run : laid.group->runs()) block.notes += note(*run);
     else  // in the order of the rows
       for (const Row& row : laid.rows)
         for (const RecordedRun* run : row.runs) block.notes += note(*run);
@@ -175,7 +182,7 @@ class Setter {
     if (layout_.notes == Layout::Notes::missing && !run.has_result())
       return fmt::format("{}: {}\n", run_text(run.run),
                          run.record ? "error - " + run.record->error : "not run");
-    const Row row{{&run}, {}, published_};
+    const Row row{{&run}, nullptr, published_};
     const std::string name = layout_.note.empty() ? "" : text_of(row, layout_.note).value_or("");
     return layout_.notes == Layout::Notes::missing
                ? ""
@@ -190,6 +197,7 @@ class Setter {
     Cell made = cell_of(value_of(row, column.value), column.format, column.join);
     if (const Column* known = find_column(named_in(column.value)); known && known->text)
       if (const RecordedRun* run = run_of(row, column.value)) made.text = known->text(*run);
+    if (!made.data.empty() && is_across_nodes(row, column.value)) mark_across_nodes(made);
     if (again && column.once) made.text.clear();
     if (column.parentheses_when && column.parentheses_when->holds(*row.runs.front(), row.item))
       made = {made.data.empty() ? made.text : '(' + made.text + ')', ""};

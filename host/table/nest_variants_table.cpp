@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
+#include <utility>
 
 #include "statistics.hpp"
 #include "table/experiment_run.hpp"
@@ -38,12 +40,16 @@ Sheet empty_sheet(bool paper) {
 
 std::string shapes_in(const RecordedRun& run) { return fields_of(run.run).at("shapes"); }
 
-/// What each pair of shapes has, in the order of the runs.
-std::vector<std::string> shapes_of(const std::vector<RecordedRun>& runs) {
-  std::vector<std::string> all;
-  for (const RecordedRun& run : runs)
-    if (const std::string shapes = shapes_in(run); std::ranges::find(all, shapes) == all.end())
-      all.push_back(shapes);
+/// The runs of each pair of shapes, by their numbers; in the order of the runs.
+std::vector<std::pair<std::string, std::vector<std::size_t>>> by_shapes(
+    const std::vector<RecordedRun>& runs) {
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> all;
+  std::unordered_map<std::string, std::size_t> known;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto [at, is_new] = known.try_emplace(shapes_in(runs[i]), all.size());
+    if (is_new) all.push_back({at->first, {}});
+    all[at->second].second.push_back(i);
+  }
   return all;
 }
 
@@ -86,17 +92,17 @@ std::vector<std::string> settings_of_search(const std::vector<RecordedRun>& runs
     auto& fields = all.emplace_back(fields_of(run.run));
     for (const char* key : {"outer", "inner", "seed", "shapes"}) fields.erase(key);
   }
-  const auto shared = [&](const std::pair<const std::string, std::string>& field) {
-    return std::ranges::all_of(all, [&](const auto& other) {
-      const auto at = other.find(field.first);
-      return at != other.end() && at->second == field.second;
+  auto shared = all.empty() ? std::map<std::string, std::string>() : all.front();
+  for (const auto& fields : all)
+    std::erase_if(shared, [&](const auto& field) {
+      const auto at = fields.find(field.first);
+      return at == fields.end() || at->second != field.second;
     });
-  };
   std::vector<std::string> settings;
   for (const auto& fields : all) {
     std::vector<std::string> parts;
     for (const auto& field : fields)
-      if (!shared(field)) parts.push_back(fmt::format("{} = {}", field.first, field.second));
+      if (!shared.contains(field.first)) parts.push_back(fmt::format("{} = {}", field.first, field.second));
     settings.push_back(parts.empty() ? "defaults" : fmt::format("{}", fmt::join(parts, ", ")));
   }
   return settings;
@@ -107,17 +113,18 @@ Tables nest_variants_tables(const std::vector<RecordedRun>& runs, const std::opt
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (!runs[i].run.label.empty()) settings[i] = runs[i].run.label;
   Tables tables;
-  for (const std::string& shapes : shapes_of(runs)) {
+  for (const auto& [shapes, members] : by_shapes(runs)) {
     std::vector<Seeds> rows;
+    std::unordered_map<std::string, std::size_t> known;
     std::string notes;
     double best = 0;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
+    for (const std::size_t i : members) {
       const RecordedRun& run = runs[i];
-      if (shapes_in(run) != shapes) continue;
       notes += note_of_nesting(run);
       if (!run.has_result()) continue;
-      auto at = std::ranges::find(rows, settings[i], &Seeds::setting);
-      if (at == rows.end()) at = rows.insert(rows.end(), {settings[i], {}, {}, {}, {}});
+      const auto [place, is_new] = known.try_emplace(settings[i], rows.size());
+      if (is_new) rows.push_back({settings[i], {}, {}, {}, {}});
+      Seeds* at = &rows[place->second];
       const double scale = run.at("valid") == true ? run.number("scale").value_or(0) : 0;
       at->scales.push_back(scale);
       at->sampled.push_back(run.number("sampled_scale").value_or(0));

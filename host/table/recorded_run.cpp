@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "parse.hpp"
 #include "table/experiment_run.hpp"
 
 namespace kreisel::core {
@@ -28,7 +27,7 @@ std::string RecordedRun::field(const std::string& name) const {
     const auto found = all.find(name);
     return found == all.end() ? "" : found->second;
   }
-  const json& config = record->summary.at("config");
+  const json config = record->summary.at("config");
   const auto found = config.find(name);
   return found == config.end() ? "" : found->get<std::string>();
 }
@@ -46,29 +45,11 @@ bool RecordedRun::is_converged() const {
   return is_optimal() || (has_result() && termination() == "acceptable");
 }
 
-json RecordedRun::at(std::string_view name) const {
-  return record ? value_in(record->summary, name) : json();
-}
+json RecordedRun::at(std::string_view name) const { return record ? record->summary.at(name) : json(); }
 
 std::optional<double> RecordedRun::number(std::string_view name) const {
   const json found = at(name);
   return found.is_number() ? std::optional(found.get<double>()) : std::nullopt;
-}
-
-json value_in(const json& summary, std::string_view name) {
-  const json* at = &summary;
-  while (!name.empty()) {
-    const std::size_t dot = std::min(name.find('.'), name.size());
-    const std::string word(name.substr(0, dot));
-    name.remove_prefix(std::min(dot + 1, name.size()));
-    if (at->is_object() && at->contains(word))
-      at = &at->at(word);
-    else if (const auto index = parse<std::size_t>(word); at->is_array() && index && *index < at->size())
-      at = &at->at(*index);
-    else
-      return nullptr;
-  }
-  return *at;
 }
 
 std::string note_of(const RecordedRun& run, bool unless_optimal, std::string name) {

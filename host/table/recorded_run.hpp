@@ -39,9 +39,6 @@ struct RecordedRun {
   [[nodiscard]] std::optional<double> number(std::string_view name) const;
 };
 
-/// What a summary has at "voids.0.volume"; null where there is nothing.
-[[nodiscard]] nlohmann::json value_in(const nlohmann::json& summary, std::string_view name);
-
 /// A line that says why a run has no result or, if asked, none that is optimal. Empty where all is well.
 /// @param name  what the table calls the run; empty: as run_text() does
 [[nodiscard]] std::string note_of(const RecordedRun& run, bool unless_optimal = true, std::string name = {});

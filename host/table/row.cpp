@@ -8,6 +8,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <set>
 
 #include "error.hpp"
 #include "table/columns.hpp"
@@ -77,30 +78,50 @@ json value_of_all(const Row& row, std::string_view name) {
   return nullptr;
 }
 
-/// As ratio() finds the other run.
-bool same_but_for_a_choice(const RecordedRun& a, const RecordedRun& b) {
-  return std::ranges::all_of(fields_of_a_ratio,
-                             [&](std::string_view name) { return value_of(a, name) == value_of(b, name); });
+/// The same of two runs that a ratio() compares.
+std::string key_of_a_ratio(const RecordedRun& run) {
+  std::string key;
+  for (const std::string_view name : fields_of_a_ratio) key += plain_text(value_of(run, name)) + '\n';
+  return key;
 }
 
-json ratio_of(const Row& row, std::string_view arguments) {
+/// A value and the runs that it is made of.
+struct Found {
+  json value;
+  Runs runs = {};
+};
+
+Found ratio_of(const Row& row, std::string_view arguments) {
   const std::size_t comma = arguments.find(',');
   if (comma == arguments.npos)
     throw InputError(
         fmt::format("ratio({}): expected a name and a field, as in ratio(seconds.solve, "
                     "formulation=voxel)",
                     arguments));
-  if (row.runs.empty()) return nullptr;
+  if (row.runs.empty() || !row.group) return {};
   const std::string_view name = trimmed(arguments.substr(0, comma));
   const Condition choice{std::string(trimmed(arguments.substr(comma + 1)))};
   const RecordedRun& mine = *row.runs.front();
-  for (const RecordedRun* other : row.group) {
-    if (!choice.holds(*other) || !same_but_for_a_choice(*other, mine)) continue;
+  for (const RecordedRun* other : row.group->like(mine)) {
+    if (!choice.holds(*other)) continue;
     const json a = value_of(*other, name), b = value_of(mine, name);
-    if (!a.is_number() || !b.is_number() || !other->is_converged() || !mine.is_converged()) return nullptr;
-    return a.get<double>() / b.get<double>();
+    if (!a.is_number() || !b.is_number() || !other->is_converged() || !mine.is_converged()) return {};
+    return {a.get<double>() / b.get<double>(), {&mine, other}};
   }
-  return nullptr;
+  return {};
+}
+
+/// As operand_of().
+Found found_by(const Row& row, std::string_view text) {
+  const Operand operand = parsed(text);
+  if (json all = value_of_all(row, operand.name); !all.is_null()) return {std::move(all)};
+  Found found;
+  const Condition choice{std::string(operand.choice)};
+  for (const RecordedRun* run : row.runs) {
+    if (!choice.text.empty() && !choice.holds(*run)) continue;
+    if (!choice.text.empty() || found.value.is_null()) found = {value_of_run(row, *run, operand), {run}};
+  }
+  return found;
 }
 
 bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
@@ -154,13 +175,13 @@ class Arithmetic {
       at = end;
       if (end == text.size() || text[end] != '(') {
         names_.emplace_back(name);
-        variable(operand_of(row_, name));
+        variable(name, found_by(row_, name));
       } else if (name == "ratio") {
         const std::size_t close = text.find(')', end);
         if (close == text.npos) throw InputError(fmt::format("'{}': expected ) after ratio(", text));
         const std::string_view arguments = text.substr(end + 1, close - end - 1);
         names_.emplace_back(trimmed(arguments.substr(0, arguments.find(','))));
-        variable(ratio_of(row_, arguments));
+        variable(names_.back(), ratio_of(row_, arguments));
         at = close + 1;
       } else {
         formula_ += name;
@@ -169,6 +190,7 @@ class Arithmetic {
   }
 
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  [[nodiscard]] const Runs& timed() const { return timed_; }
 
   [[nodiscard]] json value() {
     try {
@@ -181,7 +203,9 @@ class Arithmetic {
   }
 
  private:
-  void variable(const json& value) {
+  void variable(std::string_view of, const Found& found) {
+    const json& value = found.value;
+    if (of.find("seconds") != of.npos) std::ranges::copy(found.runs, std::back_inserter(timed_));
     known_ = known_ && value.is_number();
     const std::string name = fmt::format("v{}", values_.size());
     values_.push_back(value.is_number() ? value.get<double>() : 0);
@@ -193,11 +217,18 @@ class Arithmetic {
   mu::Parser parser_;
   std::string formula_;
   std::vector<std::string> names_;  ///< of its operands
+  Runs timed_;                      ///< those whose times they are
   std::deque<double> values_;
   bool known_ = true;
 };
 
 }  // namespace
+
+const Runs& RunGroup::like(const RecordedRun& run) const {
+  if (alike_.empty())
+    for (const RecordedRun* each : runs_) alike_[key_of_a_ratio(*each)].push_back(each);
+  return alike_[key_of_a_ratio(run)];
+}
 
 bool Condition::holds(const RecordedRun& run, const json& item) const {
   std::string_view left = text;
@@ -225,27 +256,18 @@ bool Condition::any(const Runs& runs) const {
   return std::ranges::any_of(runs, [&](const RecordedRun* run) { return holds(*run); });
 }
 
-json operand_of(const Row& row, std::string_view text) {
-  const Operand operand = parsed(text);
-  if (const json all = value_of_all(row, operand.name); !all.is_null()) return all;
-  json found;
-  const Condition choice{std::string(operand.choice)};
-  for (const RecordedRun* run : row.runs) {
-    if (!choice.text.empty() && !choice.holds(*run)) continue;
-    if (!choice.text.empty() || found.is_null()) found = value_of_run(row, *run, operand);
-  }
-  return found;
-}
+json operand_of(const Row& row, std::string_view text) { return found_by(row, text).value; }
 
 std::vector<json> operands_of(const Row& row, std::string_view text) {
   const Operand operand = parsed(text);
   if (json all = value_of_all(row, operand.name); !all.is_null()) return {std::move(all)};
   std::vector<json> found;
+  std::set<json> known;
   const Condition choice{std::string(operand.choice)};
   for (const RecordedRun* run : row.runs) {
     if (!choice.text.empty() && !choice.holds(*run)) continue;
     json value = value_of_run(row, *run, operand);
-    if (!value.is_null() && std::ranges::find(found, value) == found.end()) found.push_back(std::move(value));
+    if (!value.is_null() && known.insert(value).second) found.push_back(std::move(value));
   }
   return found;
 }
@@ -264,6 +286,8 @@ std::vector<std::string> names_in(const std::string& expression) {
   (void)arithmetic.value();
   return arithmetic.names();
 }
+
+Runs runs_in(const Row& row, const std::string& expression) { return Arithmetic(row, expression).timed(); }
 
 json value_of(const Row& row, const std::string& expression) {
   return is_operand(expression) ? operand_of(row, expression) : Arithmetic(row, expression).value();

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "table/published.hpp"
@@ -14,11 +16,25 @@ namespace kreisel::core {
 
 using Runs = std::vector<const RecordedRun*>;
 
+/// The runs of a block, as its rows look among them for one to compare with.
+class RunGroup {
+ public:
+  explicit RunGroup(Runs runs) : runs_(std::move(runs)) {}
+  [[nodiscard]] const Runs& runs() const { return runs_; }
+  /// Those that agree with a run in fields_of_a_ratio, itself among them. All are looked at once, at the
+  /// first call.
+  [[nodiscard]] const Runs& like(const RecordedRun& run) const;
+
+ private:
+  Runs runs_;
+  mutable std::unordered_map<std::string, Runs> alike_;
+};
+
 /// The runs that a row is about, mostly one; with a place in a list of its record, or what a paper prints in
 /// the place of a run.
 struct Row {
   Runs runs;
-  Runs group = {};                        ///< those of its block
+  const RunGroup* group = nullptr;        ///< those of its block; none: a ratio has no other run
   const Published* published = nullptr;   ///< the paper's numbers, where there are any
   nlohmann::json item = nullptr;          ///< of a list in the record
   const nlohmann::json* paper = nullptr;  ///< a row of the paper that no run belongs to
@@ -50,6 +66,10 @@ struct Condition {
 /// value.
 /// @throws InputError  what cannot be read
 [[nodiscard]] nlohmann::json value_of(const Row& row, const std::string& expression);
+
+/// The runs whose times arithmetic takes: of "ratio(seconds.solve, formulation=voxel)" two.
+/// @throws InputError  what cannot be read
+[[nodiscard]] Runs runs_in(const Row& row, const std::string& expression);
 
 /// Fields in which the two runs of a ratio() agree.
 inline constexpr std::array<std::string_view, 4> fields_of_a_ratio = {"label", "model", "grid", "problem"};

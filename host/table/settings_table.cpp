@@ -7,8 +7,10 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <unordered_map>
 
 #include "solve/solver.hpp"
+#include "table/across_nodes.hpp"
 #include "table/experiment_run.hpp"
 #include "table/table_parts.hpp"
 
@@ -54,14 +56,11 @@ std::string name_of(const RecordedRun& run, By by) {
 
 std::vector<SettingsGroup> groups_of(const std::vector<RecordedRun>& runs, By by) {
   std::vector<SettingsGroup> groups;
+  std::unordered_map<std::string, std::size_t> known;
   for (const RecordedRun& run : runs) {
-    const std::string name = name_of(run, by);
-    find_or_add(
-        groups, [&](const SettingsGroup& g) { return g.name == name; },
-        [&] {
-          return SettingsGroup{name, {}};
-        })
-        .runs.push_back(&run);
+    const auto [at, is_new] = known.try_emplace(name_of(run, by), groups.size());
+    if (is_new) groups.push_back({at->first, {}});
+    groups[at->second].runs.push_back(&run);
   }
   return groups;
 }
@@ -135,14 +134,14 @@ std::string with_formulation(Fields fields, const Fields& common, bool whole) {
   return rest == "defaults" ? formulation : fmt::format("{}, {}", formulation, rest);
 }
 
-void add_row(Block& block, const SettingsGroup& group, const RecordedRun& run, const Fields& common,
-             bool certified, By by) {
-  const RecordedRun& first = *group.runs.front();
+/// @param best  of the block, best_of()
+void add_row(Block& block, const RecordedRun& first, const RecordedRun& run, const Fields& common,
+             const std::optional<double>& best, bool certified, By by) {
   std::optional<double> time, above;
   if (run.is_converged()) {
     const auto here = run.number("seconds.solve"), there = first.number("seconds.solve");
     if (first.is_converged() && here && there && *there > 0) time = *here / *there;
-    const auto best = best_of(group), f = run.number("objective");
+    const auto f = run.number("objective");
     if (best && f && *best != 0) above = (*f - *best) / std::abs(*best) * 100;
   }
   const Fields fields = settings_of(run, by);
@@ -161,6 +160,7 @@ void add_row(Block& block, const SettingsGroup& group, const RecordedRun& run, c
   cells.emplace_back(setting, text(true));
   add({"termination", "iterations", "seconds", "seconds_half_iqr", "samples"});
   cells.push_back(Cell::of(time, "{:.2f}"));
+  if (time && are_across_nodes(first, run)) mark_across_nodes(cells.back());
   add({"variables", "objective"});
   cells.push_back(Cell::of(above, "{:.3f}"));
   add({"violation", "verified", "setup_seconds"});
@@ -178,7 +178,9 @@ Tables tables_by(By by, const std::vector<RecordedRun>& runs) {
     Block block{fmt::format("{}; in all: {}", group.name, text_of(common, {}, true)),
                 empty_sheet(labels, certified, by),
                 {}};
-    for (const RecordedRun* run : group.runs) add_row(block, group, *run, common, certified, by);
+    const std::optional<double> best = best_of(group);
+    for (const RecordedRun* run : group.runs)
+      add_row(block, *group.runs.front(), *run, common, best, certified, by);
     tables.blocks.push_back(std::move(block));
   }
   tables.legend =
@@ -188,6 +190,7 @@ Tables tables_by(By by, const std::vector<RecordedRun>& runs) {
       "constraints, body units;\n"
       "times and distances are those of converged solves\n";
   if (certified) tables.legend += certified_legend;
+  tables.legend += across_nodes_legend(tables);
   tables.legend += provenance_text(pointers(runs)) + '\n';
   return tables;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "statistics.hpp"
 #include "table/table_parts.hpp"
@@ -14,18 +15,19 @@ namespace kreisel::core {
 namespace {
 
 struct TaskRuns {
-  std::map<std::string, std::string> fields;  ///< of the configuration, but for the seed
   std::string label;
   std::vector<const RecordedRun*> runs;
 };
 
 std::vector<TaskRuns> tasks_of(const std::vector<RecordedRun>& runs) {
   std::vector<TaskRuns> tasks;
+  std::map<std::pair<std::string, std::map<std::string, std::string>>, std::size_t> known;
   for (const RecordedRun& run : runs) {
-    auto fields = fields_of(run.run);
+    auto fields = fields_of(run.run);  // of the configuration, but for the seed
     fields.erase("moment.seed");
-    const auto same = [&](const TaskRuns& t) { return t.label == run.run.label && t.fields == fields; };
-    find_or_add(tasks, same, [&] { return TaskRuns{fields, run.run.label, {}}; }).runs.push_back(&run);
+    const auto [at, is_new] = known.try_emplace({run.run.label, std::move(fields)}, tasks.size());
+    if (is_new) tasks.push_back({run.run.label, {}});
+    tasks[at->second].runs.push_back(&run);
   }
   return tasks;
 }

@@ -33,11 +33,4 @@ inline constexpr std::string_view certified_legend =
   return Condition{"gap_percent"}.any(pointers(runs));
 }
 
-/// The first item that matches, else a new one at the end.
-template <class Item, class Matches, class Make>
-Item& find_or_add(std::vector<Item>& items, Matches matches, Make make) {
-  const auto at = std::find_if(items.begin(), items.end(), matches);
-  return at != items.end() ? *at : items.emplace_back(make());
-}
-
 }  // namespace kreisel::core

@@ -20,7 +20,7 @@ class AbsentFiles : public testing::Test {
     options_.results = folder_.path / "runs";
     options_.log = log_.get();
     hooks_.provenance = [](const ExperimentRun&) { return Provenance{}; };
-    hooks_.nest = [this](const NestConfig& config, const Control&) {
+    hooks_.nest = [this](const NestConfig& config, const NestHooks&) {
       ran_.push_back(config.outer);
       NestResult result;
       result.config = config;

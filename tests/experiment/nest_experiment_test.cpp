@@ -6,6 +6,7 @@
 #include "experiment/progress.hpp"
 #include "experiment/runner.hpp"
 #include "nest/search/baseline.hpp"
+#include "record/kept_search.hpp"
 #include "refusal.hpp"
 #include "table/data_folder.hpp"
 #include "table/experiment_run.hpp"
@@ -42,7 +43,7 @@ class NestExperiment : public testing::Test {
     options_.results = folder_.path;
     options_.log = log_.get();
     hooks_.provenance = [](const ExperimentRun&) { return Provenance{}; };
-    hooks_.nest = [this](const NestConfig& config, const Control&) {
+    hooks_.nest = [this](const NestConfig& config, const NestHooks&) {
       ran_.push_back(run_name(config));
       return found(config, 0.5 + 0.01 * static_cast<double>(seed_of(config)));
     };
@@ -87,18 +88,18 @@ TEST_F(NestExperiment, RunsRecordsAndSkipsNestings) {
 
 TEST_F(NestExperiment, RecordsWhatFailsAndRunsItAgain) {
   experiment_ = parse_experiment("table = 'nestings'\n[[run]]\nouter = 'bear'", "t.toml");
-  hooks_.nest = [](const NestConfig&, const Control&) -> NestResult {
+  hooks_.nest = [](const NestConfig&, const NestHooks&) -> NestResult {
     throw InputError("outer mesh gapes; expected less");
   };
   EXPECT_EQ(run_experiment(experiment_, options_, hooks_).failed, 1);
   EXPECT_NE(table().find("error - outer mesh gapes"), std::string::npos) << table();
-  hooks_.nest = [](const NestConfig& config, const Control&) { return found(config, 0.5); };
+  hooks_.nest = [](const NestConfig& config, const NestHooks&) { return found(config, 0.5); };
   EXPECT_EQ(run_experiment(experiment_, options_, hooks_).done, 1);
 }
 
 TEST_F(NestExperiment, LeavesNoRecordOfWhatTheUserStopped) {
   experiment_ = parse_experiment("table = 'nestings'\n[[run]]\nouter = 'bear'\nfree = 'all'", "t.toml");
-  hooks_.nest = [](const NestConfig& config, const Control&) {
+  hooks_.nest = [](const NestConfig& config, const NestHooks&) {
     NestResult result = found(config, 0.5);
     result.ending = NestResult::Ending::interrupted;
     return result;
@@ -107,12 +108,44 @@ TEST_F(NestExperiment, LeavesNoRecordOfWhatTheUserStopped) {
   EXPECT_NE(table().find("not run"), std::string::npos) << table();
 }
 
+TEST_F(NestExperiment, GoesOnWithASearchThatWasStoppedAndKeepsNothingOfIt) {
+  experiment_ = parse_experiment(
+      "table = 'nestings'\nouter = 'cuboid'\nfree = 'position'\nparticles = 6\niterations = 4\nclimbs = 0\n"
+      "[[run]]\nexchange = [0, 2]",
+      "t.toml");
+  std::stop_source source;
+  hooks_.stop = source.get_token();
+  std::size_t resumed = 0;
+  hooks_.nest = [&](const NestConfig& config, const NestHooks& given) {
+    NestHooks hooks = given;
+    if (hooks.resume) resumed = hooks.resume->state.trace.size();
+    hooks.on_iteration = [&](const nest::SearchState& state) {
+      if (state.trace.size() == 3 && !given.resume) source.request_stop();
+      return true;
+    };
+    return run_nest(config, hooks);
+  };
+  EXPECT_TRUE(run_experiment(experiment_, options_, hooks_).interrupted);
+  const auto kept =
+      checkpoint_of(record_path(options_.results, "t", experiment_.runs[0]), experiment_.runs[0].nesting());
+  EXPECT_TRUE(std::filesystem::exists(kept));
+  source = std::stop_source();
+  hooks_.stop = {};
+  EXPECT_EQ(run_experiment(experiment_, options_, hooks_).done, 2);
+  EXPECT_EQ(resumed, 3u);
+  EXPECT_FALSE(std::filesystem::exists(kept)) << "there is a record";
+  EXPECT_TRUE(std::filesystem::exists(
+      checkpoint_of(record_path(options_.results, "t", experiment_.runs[1]), experiment_.runs[1].nesting())))
+      << "the other islands may hear of it";
+  EXPECT_EQ(records_in(options_.results).size(), 2u) << "a checkpoint is no record";
+}
+
 TEST_F(NestExperiment, SetsOutSettingsOverTheirSeeds) {
   experiment_ = parse_experiment(
       "table = 'nest-variants'\nouter = 'bear'\nfree = 'all'\nseed = [1, 2, 3]\n[[run]]\ntopology = "
       "['von-neumann', 'ring']\n[[run]]\nclimbs = 0",
       "t.toml");
-  hooks_.nest = [](const NestConfig& config, const Control&) {
+  hooks_.nest = [](const NestConfig& config, const NestHooks&) {
     const double seed = static_cast<double>(seed_of(config));
     if (part_of<NestSearch>(config)->search.climbs == 0) return found(config, seed > 1 ? 0.3 : 0);
     return found(config,
@@ -136,7 +169,7 @@ TEST_F(NestExperiment, CountsTheSeedsThatReachWhatAPaperDoes) {
       "[1, 2, "
       "3]",
       "t.toml");
-  hooks_.nest = [](const NestConfig& config, const Control&) {
+  hooks_.nest = [](const NestConfig& config, const NestHooks&) {
     return found(config,
                  0.6 + 0.0049 * static_cast<double>(seed_of(config)));  // 0.6049 0.6098 0.6147
   };

@@ -50,9 +50,10 @@ inline RecordedRun recorded(const RunResult& result, const std::string& label = 
 inline RecordedRun failed_run(const RunResult& result, const std::string& error,
                               const std::string& label = "") {
   RecordedRun run = recorded(result, label);
-  nlohmann::json& summary = run.record->summary;
-  summary = {
-      {"config", summary.at("config")}, {"device", summary.at("device")}, {"commit", summary.at("commit")}};
+  Summary& summary = run.record->summary;
+  nlohmann::json left;
+  for (const char* kept : {"config", "device", "commit"}) left[kept] = summary.at(kept);
+  summary = left;
   run.record->error = error;
   return run;
 }

@@ -32,8 +32,8 @@ TEST(ArrayJob, IsATaskAShardThatIsQueuedAgain) {
   for (const char* line :
        {"#SBATCH --array=1-16\n", "#SBATCH --requeue\n", "#SBATCH --partition=short,long\n",
         "#SBATCH --time=1-12:00:00\n", "#SBATCH --job-name=wall\n", "#SBATCH --cpus-per-task=1\n",
-        "exec /opt/kreisel/bin/bench run /home/me/wall.toml --results /data/runs --shard "
-        "\"$SLURM_ARRAY_TASK_ID/16\"\n"})
+        "\n/opt/kreisel/bin/bench run /home/me/wall.toml --results /data/runs --shard "
+        "\"$SLURM_ARRAY_TASK_ID/16\" &\n"})
     EXPECT_NE(script.find(line), std::string::npos) << line << script;
   EXPECT_EQ(script_of(job()).find("--partition"), std::string::npos) << "the cluster's own";
 }
@@ -58,6 +58,30 @@ TEST(ArrayJob, AShellReadsAnyNameAsItIs) {
       said.out,
       fmt::format("run\n{0}/wall.toml\n--results\n{0}\n--models\n{0}\n--device\na'b\n--shard\n3/8\n", odd));
   EXPECT_NE(script_of(asked).find("--job-name=odd-name-of-it\n"), std::string::npos);
+}
+
+TEST(ArrayJob, OutOfTimeItStopsItsShareAndIsQueuedAgain) {
+  const TemporaryFolder folder;
+  ArrayJob asked = job();
+  asked.program = folder.path / "bench";
+  const auto program = [&](const char* name, const std::string& text) {
+    std::ofstream(folder.path / name) << "#!/bin/bash\n" << text;
+    std::filesystem::permissions(folder.path / name, std::filesystem::perms::owner_all);
+  };
+  // A share that ends when it is told to, and an engine that says what it is asked.
+  program("bench", "trap 'echo kept; exit 130' TERM\n: > \"$0.began\"\nwhile :; do sleep 0.05; done\n");
+  program("scontrol", "echo scontrol \"$@\"\n");
+  std::ofstream(folder.path / "job.sh") << script_of(asked);
+  const auto told = [&](const std::string& signal, int restarts) {
+    return shell(fmt::format(
+        "cd '{0}' && rm -f bench.began; PATH=\"$PWD:$PATH\" SLURM_ARRAY_TASK_ID=1 SLURM_JOB_ID=77 "
+        "SLURM_RESTART_COUNT={1} bash job.sh & until [ -e '{0}/bench.began' ]; do sleep 0.05; "
+        "done; kill -{2} $!; wait $!",
+        folder.path.string(), restarts, signal));
+  };
+  EXPECT_EQ(told("USR1", 3).out, "kept\nscontrol requeue 77\n");
+  EXPECT_EQ(told("USR1", 100).out, "kept\n") << "not for ever";
+  EXPECT_EQ(told("TERM", 0).out, "kept\n") << "someone ended the job";
 }
 
 TEST(ArrayJob, WhatSlurmWouldNotTakeIsRefused) {

@@ -29,7 +29,7 @@ std::vector<RecordedRun> runs_in(const fs::path& file) {
     record.summary = stored.at("summary");
     record.error = stored.at("error");
     run.run.label = stored.at("label");
-    if (record.summary.contains("shapes")) record.kind = RecordKind::nesting;
+    if (stored.at("summary").contains("shapes")) record.kind = RecordKind::nesting;
     std::vector<GivenText> given;
     for (const auto& [name, text] : record.config()) given.push_back({name, text});
     run.run.run = make_run(given);

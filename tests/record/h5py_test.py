@@ -17,7 +17,7 @@ ATTRIBUTES = {
         "schema": TEXT, "schema_version": WHOLE, "moments_order": TEXT, "model": TEXT, "problem": TEXT,
         "formulation": TEXT, "solver": TEXT, "termination": TEXT, "objective": REAL,
         "constraint_violation": REAL, "iterations": WHOLE, "variables": WHOLE,
-        "whole_seconds": REAL, "peak_bytes": REAL,
+        "whole_seconds": REAL, "peak_bytes": REAL, "summary": TEXT,
     },
     "/provenance": {
         "version": TEXT, "commit": TEXT, "compiler": TEXT, "build_type": TEXT, "host": TEXT,

@@ -55,7 +55,7 @@ TEST_F(NestRecord, HoldsWhatWasAskedAndFound) {
   ASSERT_EQ(kind_of_record(file()), RecordKind::nesting);
   const NestResult read = read_nest(file());
   // All that people and scripts are told of a nesting is in its record.
-  EXPECT_EQ(read_record(file()).summary, to_json(result));
+  EXPECT_EQ(read_record(file()).summary.whole(), to_json(result));
   EXPECT_EQ(describe(read.config), describe(config_));
   EXPECT_EQ(kind_of(read.config), "swarm");
   EXPECT_EQ(shapes_text(read.config), "ball in egg");

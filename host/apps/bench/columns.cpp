@@ -73,12 +73,13 @@ int show_columns(const ShowOptions& options, const std::vector<std::filesystem::
   const Published published = options.published.empty() ? Published() : published_of(options.published);
   std::vector<RecordedRun> runs;
   for (const std::filesystem::path& record : records) runs.push_back({{}, read_record(record)});
-  Runs group;
-  for (const RecordedRun& run : runs) group.push_back(&run);
+  Runs all;
+  for (const RecordedRun& run : runs) all.push_back(&run);
+  const RunGroup group(std::move(all));
   std::vector<Row> rows;
-  for (const RecordedRun* run : group)
+  for (const RecordedRun* run : group.runs())
     rows.push_back(
-        {.runs = {run}, .group = group, .published = options.published.empty() ? nullptr : &published});
+        {.runs = {run}, .group = &group, .published = options.published.empty() ? nullptr : &published});
   if (options.json_file.empty()) {
     fmt::print("{}", sheet_of(rows, names).text());
     return done;

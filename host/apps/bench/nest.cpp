@@ -10,6 +10,7 @@
 #include "error.hpp"
 #include "file/write_text.hpp"
 #include "nest/search/baseline.hpp"
+#include "record/kept_search.hpp"
 #include "record/nest_record.hpp"
 
 namespace kreisel::core::bench {
@@ -112,7 +113,15 @@ int nest_shapes(const NestOptions& options) {
           fmt::format("--checkpoint of {}; expected a search over placements, by --free without --layers",
                       entry_of(config).what));
     hooks.keep = [&](const NestCheckpoint& now) { write_checkpoint(kept, now); };
+    hooks.exchange = [search = KeptSearch(kept)](const NestCheckpoint& now) {
+      search.keep(now);
+      return search.better_elsewhere(now);
+    };
   }
+  if (const auto* swarm = part_of<NestSwarm>(config); swarm && swarm->exchange > 0 && kept.empty())
+    throw InputError(
+        fmt::format("--exchange {} without --checkpoint; expected a file beside those of the other islands",
+                    swarm->exchange));
   NestResult result;
   {
     const StepLine line;

@@ -11,8 +11,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
+#include <unordered_set>
 
 #include "apps/bench/commands.hpp"
 #include "apps/shared/outputs.hpp"
@@ -89,17 +92,41 @@ json simulations_of(const std::vector<RecordedRun>& runs, const fs::path& folder
   return made;
 }
 
+/// Where and when records were made: from the first to the last, by which commits, on which devices and
+/// hosts.
+json made_of(const std::vector<RecordedRun>& runs) {
+  std::set<std::string> dates;
+  std::map<std::string, std::set<std::string>> of = {{"commit", {}}, {"device", {}}, {"host", {}}};
+  for (const RecordedRun& run : runs) {
+    if (!run.record) continue;
+    const auto text = [&](const char* name) {
+      const json found = run.at(name);
+      return found.is_string() ? found.get<std::string>() : "";
+    };
+    if (std::string date = text("provenance.started"); !date.empty()) dates.insert(std::move(date));
+    for (auto& [name, all] : of) {
+      const std::string value = text(name == "host" ? "provenance.host" : name.c_str());
+      all.insert(value.empty() ? "unknown" : value);
+    }
+  }
+  json made = {{"dates", json::array()}};
+  if (!dates.empty()) made["dates"] = {*dates.begin(), *dates.rbegin()};
+  for (const auto& [name, all] : of) made[name] = fmt::format("{}", fmt::join(all, ", "));
+  return made;
+}
+
 /// What the page says of an experiment; null where none of its runs is on record.
 /// @param folder  for what figures are drawn of beside the records
 json section_of(const Experiment& experiment, const fs::path& results, const fs::path& folder) {
   const std::vector<RecordedRun> runs = collect(experiment, results);
   json records = json::array();
+  std::unordered_set<std::string> known;
   std::size_t missing = 0;
   for (const RecordedRun& run : runs) {
     const std::string path = run.path().string();
     if (path.empty())
       ++missing;
-    else if (std::ranges::find(records, json(path)) == records.end())
+    else if (known.insert(path).second)
       records.push_back(path);
   }
   if (records.empty()) return nullptr;
@@ -113,6 +140,7 @@ json section_of(const Experiment& experiment, const fs::path& results, const fs:
   section["published"] =
       experiment.published.empty() ? json(nullptr) : json(published_file(experiment.published).string());
   section["records"] = records;
+  section["made"] = made_of(runs);
   section["runs"] = runs.size();
   section["missing"] = missing;
   return section;

@@ -47,7 +47,11 @@ void run_swarm(OptimiseResult& result, const Asking& asking, const OptimiseSpec&
   result.state = resume ? *resume : search.start();
   const auto told = [&] { return !on_iteration || on_iteration(result.state); };
   bool more = told() && go_on();
-  while (more && search.step(result.state)) more = told() && go_on();
+  while (more && search.step(result.state)) {
+    if (spec.guest && result.state.phase == SearchState::swarming)
+      if (const std::vector<double> x = spec.guest(result.state); !x.empty()) search.take_in(result.state, x);
+    more = told() && go_on();
+  }
   result.ended_early = result.state.phase != SearchState::over;
 }
 

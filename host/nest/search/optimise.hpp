@@ -29,6 +29,8 @@ struct OptimiseSpec {
   std::optional<double> upper;  ///< no scale above this; none: what can fit
   PlacementSearchOptions search;  ///< centroids start deep inside A, or anywhere in its box where placed so
   double seconds = std::numeric_limits<double>::infinity();  ///< after which it ends early
+  /// Told of every iteration of the swarm: a position that another search found, to be taken in, or nothing.
+  std::function<std::vector<double>(const SearchState& state)> guest = {};
 };
 
 /// Names of the variants. @throws InputError  (require_variant) another

@@ -1,6 +1,7 @@
 #include "nest/search/placement_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace kreisel::core::nest {
@@ -86,6 +87,18 @@ bool PlacementSearch::step(SearchState& state) const {
   }
   state.memory = objective_.memory();
   return state.phase != SearchState::over;
+}
+
+void PlacementSearch::take_in(SearchState& state, const std::vector<double>& x) const {
+  const bool fits = x.size() == static_cast<std::size_t>(objective_.space().size()) &&
+                    std::ranges::all_of(x, [](double number) { return std::isfinite(number); });
+  if (!fits || state.phase != SearchState::swarming) return;
+  objective_.recall(state.memory);
+  swarm_.take_in(state.swarm, x);
+  state.memory = objective_.memory();
+  if (!(state.swarm.best_value > state.scale)) return;
+  state.scale = state.swarm.best_value;
+  state.best = state.swarm.best;
 }
 
 Placement PlacementSearch::best(const SearchState& state) const {

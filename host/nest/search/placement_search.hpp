@@ -40,6 +40,9 @@ class PlacementSearch {
   [[nodiscard]] SearchState start() const;
   /// One iteration of the swarm or of a climb. @return  whether there is more to do
   bool step(SearchState& state) const;
+  /// Lets another search's position replace the worst of the swarm's, if it is better; passed over where it
+  /// is no position of this space, or the swarm has come to its end.
+  void take_in(SearchState& state, const std::vector<double>& x) const;
 
   /// The best so far. Its scale is state.scale. @pre  state.best is not empty
   [[nodiscard]] Placement best(const SearchState& state) const;

@@ -208,6 +208,25 @@ SwarmStep Swarm::ask(SwarmState& state) const {
   return step;
 }
 
+void Swarm::take_in(SwarmState& state, const std::vector<double>& x) const {
+  const auto worst = std::ranges::min_element(state.own_value);
+  const double value = objective_.values(x, std::array{nothing}).front();
+  ++state.evaluations;
+  if (!(value > *worst)) return;
+  const auto particle = static_cast<int>(worst - state.own_value.begin());
+  *worst = value;
+  const auto at = static_cast<std::ptrdiff_t>(particle) * size_;
+  std::ranges::copy(x, state.x.begin() + at);
+  std::ranges::copy(x, state.own.begin() + at);
+  int swarm = 0;
+  while (first_of(swarm + 1) <= particle) ++swarm;
+  double& top = state.top[static_cast<std::size_t>(swarm)];
+  top = std::max(top, value);
+  if (!(value > state.best_value)) return;
+  state.best_value = value;
+  state.best = x;
+}
+
 SwarmState Swarm::start(SwarmStep* step) const {
   const auto n = static_cast<std::size_t>(options_.particles), size = static_cast<std::size_t>(size_);
   SwarmState state;

@@ -94,6 +94,8 @@ class Swarm {
   [[nodiscard]] SwarmState start(SwarmStep* step = nullptr) const;
   /// One iteration further: further candidates, then motion.
   SwarmStep step(SwarmState& state) const;
+  /// Another's position in place of the worst particle's own best and position, where it is better.
+  void take_in(SwarmState& state, const std::vector<double>& x) const;
 
  private:
   struct Pull {

@@ -198,5 +198,31 @@ TEST(Swarm, RefusesUnfitOptionsByName) {
                  {"global, ring, von-neumann, random"});
 }
 
+TEST(Swarm, TakesInAPositionInPlaceOfItsWorstWhereItIsBetter) {
+  Target target = mixed_target();
+  const Swarm swarm(target, contracting(10));
+  SwarmState state = swarm.start();
+  const SwarmState before = state;
+  const auto size = static_cast<std::ptrdiff_t>(target.space().size());
+  const auto worst = std::ranges::min_element(before.own_value) - before.own_value.begin();
+  const std::vector<double> of_worst(before.own.begin() + worst * size,
+                                     before.own.begin() + (worst + 1) * size);
+  swarm.take_in(state, of_worst);
+  EXPECT_EQ(state.own, before.own) << "no better than the worst";
+  EXPECT_EQ(state.evaluations, before.evaluations + 1);
+
+  std::vector<double> best = before.best;
+  best[0] = 0.3;  // as the target's: nearer
+  swarm.take_in(state, best);
+  EXPECT_EQ(state.best, best);
+  EXPECT_EQ(state.best_value, target.value(best));
+  EXPECT_EQ(state.top.front(), state.best_value);
+  EXPECT_EQ(state.own_value[static_cast<std::size_t>(worst)], state.best_value);
+  for (std::ptrdiff_t i = 0; i < 40; ++i)
+    EXPECT_EQ(std::equal(state.own.begin() + i * size, state.own.begin() + (i + 1) * size,
+                         before.own.begin() + i * size),
+              i != worst);
+}
+
 }  // namespace THIS_FILE
 }  // namespace kreisel::core::nest
