@@ -15,8 +15,9 @@ namespace kreisel::core {
 
 /// Lets `write` fill a temporary name in the folder of `path`, then renames it to `path`, or to what a link
 /// of that name leads to. Creates the folder. Keeps the permissions of an earlier file. Removes what a killed
-/// run left of the same name, as seen at the first write into the folder. Whatever goes wrong, an earlier file at `path` stays as it was and no temporary
-/// file is left. What is written in place gets the bytes once they are whole.
+/// run left of the same name, as seen at the first write into the folder. Whatever goes wrong, an earlier
+/// file at `path` stays as it was and no temporary file is left. What is written in place gets the bytes once
+/// they are whole.
 ///
 /// @throws InputError  no such folder can be made, or the name is taken by one, or what is written in place
 ///                     takes no more; whatever `write` throws
