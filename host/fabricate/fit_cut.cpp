@@ -67,24 +67,22 @@ void CutShift::find(TriangleMesh Inside::*which, double weight, const Moments& q
   within = on;
   std::vector<Vec3> area(mesh.vertices.size(), Vec3::Zero());  // a third of the triangles around, outward
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-    const Vec3 normal = normal_of(a, b, c);
+    const Vec3 third = normal_of(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]) / 6;
     const bool all = on[t[0]] && on[t[1]] && on[t[2]];
-    if (all) of_all_.add((a + b + c) / 3, normal / 2, weight, q);
     for (const std::uint32_t v : t) {
-      area[v] += normal / 6;
+      area[v] += third;
       within[v] = within[v] && all;
     }
   }
   for (std::uint32_t v = 0; v < within.size(); ++v) {
     const Vec3 way = way_of(q, mesh.vertices[v]);
     if (!within[v] || !way.allFinite()) continue;
-    of_shift_.add(mesh.vertices[v], area[v], weight, q);
+    effect_.add(mesh.vertices[v], area[v], weight, q);
     cut_.push_back({which, v, monomials(mesh.vertices[v]), way});
   }
 }
 
-Moments CutShift::change(const CutEffect& effect, const LinearConstraints& rows, const Moments& whole) {
+bool CutShift::toward(const LinearConstraints& rows, const Moments& whole) {
   const Eigen::VectorXd now = rows.matrix * whole;
   asked_.resize(static_cast<std::size_t>(now.size()));
   std::vector<Eigen::Index> active;
@@ -93,7 +91,7 @@ Moments CutShift::change(const CutEffect& effect, const LinearConstraints& rows,
     asked_[i] = asked_[i] || now[r] < rows.lower[r] || now[r] > rows.upper[r];
     if (asked_[i]) active.push_back(r);
   }
-  if (active.empty()) return Moments::Zero();
+  if (active.empty()) return false;
   Eigen::VectorXd lacks(static_cast<Eigen::Index>(active.size()));
   for (Eigen::Index k = 0; k < lacks.size(); ++k) {
     const Eigen::Index r = active[static_cast<std::size_t>(k)];
@@ -101,17 +99,9 @@ Moments CutShift::change(const CutEffect& effect, const LinearConstraints& rows,
     const bool at_lower = std::abs(now[r] - rows.lower[r]) < std::abs(rows.upper[r] - now[r]);
     lacks[k] = (now[r] > rows.upper[r] || !at_lower ? rows.upper[r] : rows.lower[r]) - now[r];
   }
-  return effect.change_for(rows.matrix(active, Eigen::all), lacks);
-}
-
-bool CutShift::toward(const LinearConstraints& rows, const Moments& whole) {
-  const Moments more = change(of_shift_, rows, whole);
+  const Moments more = effect_.change_for(rows.matrix(active, Eigen::all), lacks);
   change_ += more;
   return !more.isZero(0);
-}
-
-Moments CutShift::anew(const LinearConstraints& rows, const Moments& whole) {
-  return change(of_all_, rows, whole);
 }
 
 double CutShift::most() const {

@@ -38,9 +38,6 @@ class CutShift {
   /// Moves it so that moments go from `whole` to where they meet the rows, as far as its areas tell; to be
   /// repeated. @return  false where nothing of the cut can be moved so
   bool toward(const LinearConstraints& rows, const Moments& whole);
-  /// What would have to be added to q instead, for a mesh to be made anew: there all of the cut moves.
-  [[nodiscard]] Moments anew(const LinearConstraints& rows, const Moments& whole);
-
   /// How far all moves took the cut where they took it farthest, body units.
   [[nodiscard]] double most() const;
   /// The inside with its cut where it is now.
@@ -54,12 +51,11 @@ class CutShift {
     Vec3 way;    ///< grad q / |grad q|^2
   };
   void find(TriangleMesh Inside::*mesh, double weight, const Moments& q);
-  [[nodiscard]] Moments change(const CutEffect& effect, const LinearConstraints& rows, const Moments& whole);
 
   const Inside& inside_;
   std::function<bool(const Vec3&)> keeps_;
   std::vector<OnCut> cut_;
-  CutEffect of_shift_, of_all_;
+  CutEffect effect_;
   Moments change_ = Moments::Zero();
   std::vector<bool> asked_;  ///< rows that were missed once: they are held from then on
 };

@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "fabricate/fit_cut.hpp"
+#include "geometry/single_precision.hpp"
 #include "mesh/solid/self_intersections.hpp"
 #include "mesh/solid/simplify.hpp"
+#include "stop.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -18,27 +20,28 @@ class InsideMeshes {
       : run_(run),
         options_(options),
         tolerance_(run.body().one_material() ? options.tolerance / run.result.length_mm : 0),
+        spare_(tolerance_ / 8),
         // The finer against the wall, the less deeper than the wall the vertices must lie.
-        mesher_(run.body(), run.result.wall, std::min(run.result.grid.h, run.result.wall / 2), spare()),
-        q_(run.result.outcome.x.data()) {}
+        mesher_(run.body(), run.result.wall, std::min(run.result.grid.h, run.result.wall / 2), spare_),
+        x_(run.result.outcome.x),
+        seen_(run.mass()) {}
 
   /// Until the mesh meets the constraints.
   MadePart fitted() {
-    constexpr int most_meshes = 4;
+    constexpr int most_meshes = 6;
     for (int meshes = 1;; ++meshes) {
+      if (meshes == most_meshes) tolerance_ = 0;  // as the mesher leaves it, nothing runs through itself
       const Inside inside = meshed();
       weigh(inside);
-      if (met()) return made(inside);
       const Moments whole = counted();
-      CutShift shift(run_.body(), inside, q_, [&](const Vec3& p) { return mesher_.deep(p); });
-      Inside moved = shifted(shift);
-      if (met() && self_intersections(moved.voids).empty()) return made(std::move(moved));
-      const Moments change = shift.anew(run_.problem().constraints(), whole);
-      if (meshes == most_meshes || change.isZero(0)) {
+      const Inside moved = met() ? inside : shifted(inside);
+      const bool meets = met();
+      if (meets && is_sound(moved)) return made(moved);
+      if (meshes == most_meshes || (!meets && !solved_again(whole))) {
         weigh(inside);
         return made(inside);
       }
-      q_ += change;
+      if (meets) tolerance_ /= 4;
       ++run_.result.rounding.corrections;
     }
   }
@@ -77,8 +80,14 @@ class InsideMeshes {
  private:
   static constexpr double enough = 1e-6;  ///< a thousandth of what a verdict asks for
 
-  /// Of the tolerance, what a surface may be moved towards the skin.
-  [[nodiscard]] double spare() const { return tolerance_ / 8; }
+  /// Whether nothing runs through itself, as files in single precision keep it.
+  [[nodiscard]] bool is_sound(const Inside& inside) const {
+    const Body& body = run_.body();
+    return self_intersections(
+               in_single_precision(to_model(body.frame, inside.voids), place_of(bounding_box(body.mesh))))
+        .empty();
+  }
+
   /// A cut is moved as a mesh, body units.
   [[nodiscard]] double farthest() const { return std::max(tolerance_, run_.result.grid.h / 8); }
   /// What is to meet the constraints.
@@ -88,29 +97,47 @@ class InsideMeshes {
   [[nodiscard]] Inside meshed() const {
     run_.stop_if_asked();
     const Body& body = run_.body();
-    Inside inside = inside_of(body, mesher_, q_);
+    Inside inside = inside_of(body, mesher_, q());
     if (!body.one_material()) return inside;
     if (options_.least_void > 0)
       inside.voids = without_small_shells(inside.voids, options_.least_void / std::pow(body.frame.length, 3));
-    inside.voids = simplified(inside.voids, {.along = tolerance_, .against = spare()},
+    inside.voids = simplified(inside.voids, {.along = tolerance_, .against = std::min(spare_, tolerance_)},
                               [&](const Vec3& p) { return mesher_.deeper(p, run_.result.wall); });
     return inside;
   }
 
-  /// Moves the cut until the mesh meets the constraints, nothing can be gained, or it is moved too far.
-  Inside shifted(CutShift& shift) {
+  /// With its cut moved until it meets the constraints, nothing can be gained, or that is too far.
+  Inside shifted(const Inside& inside) {
     // A step leaves some per cent of what was missed, for areas tell of it roughly. Finishing takes long.
     const int most_steps = options_.finish ? 3 : 12;
-    Inside inside;
+    CutShift shift(run_.body(), inside, q(), [&](const Vec3& p) { return mesher_.deep(p); });
+    Inside moved;
     for (int step = 0; step < most_steps && !met(); ++step) {
       run_.stop_if_asked();
       if (!shift.toward(run_.problem().constraints(), counted()) || shift.most() > farthest()) break;
       ++run_.result.rounding.corrections;
-      inside = shift.shifted();
-      weigh(inside);
+      moved = shift.shifted();
+      weigh(moved);
     }
-    return inside;
+    return moved;
   }
+
+  /// Solves the problem again with the moments of a mesh in place of those of its rays. Whether it can be.
+  bool solved_again(const Moments& of_mesh) {
+    run_.stop_if_asked();
+    const Task task = run_.task_with(seen_);
+    seen_.fixed += of_mesh - seen_.total(task.formulation.moments(x_));
+    const Outcome again = [&] {
+      const StopScope left_to_the_solver({});  // nothing may be thrown through a library's
+      return solve(run_.solver(), task, run_.options());
+    }();
+    run_.stop_if_asked();
+    if (again.termination != Termination::optimal) return false;
+    x_ = again.x;
+    return true;
+  }
+
+  [[nodiscard]] Moments q() const { return Moments(x_.data()); }
 
   [[nodiscard]] MadePart made(Inside inside) const {
     return made_of(run_.body(), std::move(inside), options_);
@@ -129,8 +156,10 @@ class InsideMeshes {
   SolvedRun& run_;
   const PartOptions& options_;
   double tolerance_;  ///< body units
+  double spare_;      ///< what a surface may be moved towards the skin
   CavityMesher mesher_;
-  Moments q_;                         ///< that cuts
+  std::vector<double> x_;             ///< the quadric that cuts
+  MassModel seen_;                    ///< the mesh's moments, or the print's, in place of the rays'
   Moments now_ = Moments::Zero();     ///< of what was weighed last
   Moments beside_ = Moments::Zero();  ///< what a print had more than its mesh
 };

@@ -19,8 +19,9 @@ struct MadePart {
 
 /// Meshes what the optimal quadric leaves. A mesh and a sum over rays sample the same shape differently, and
 /// fewer triangles do, too; to fit, the cut is moved until the mesh itself, or what is printed of it, meets
-/// the constraints. Where that is farther than a cut may be moved as a mesh, it is meshed again where it has
-/// to be. Says in the run's result what that costs. @throws Interrupted
+/// the constraints. Where that is farther than a cut may be moved as a mesh, what they differ by is added to
+/// what is fixed, the problem solved again, and meshed anew. Says in the run's result what that costs.
+/// @throws Interrupted
 [[nodiscard]] MadePart mesh_inside(SolvedRun& run, bool fit, const PartOptions& options);
 
 }  // namespace kreisel::core

@@ -30,8 +30,10 @@ struct Stages {
   MassModel mass;
   double opening_seconds = 0;  ///< of the device, where it had to be opened
 
-  [[nodiscard]] Task task(std::stop_token stop) const {
-    return {*problem, *formulation, mass, *device, std::move(stop)};
+  [[nodiscard]] Task task(std::stop_token stop) const { return task_with(mass, std::move(stop)); }
+  /// The same with other masses. @param mass  outlives the task
+  [[nodiscard]] Task task_with(const MassModel& other, std::stop_token stop) const {
+    return {*problem, *formulation, other, *device, std::move(stop)};
   }
 };
 

@@ -35,6 +35,8 @@ class SolvedRun {
   [[nodiscard]] const Stages& stages() const { return stages_; }
   [[nodiscard]] const MassModel& mass() const { return stages_.mass; }
   [[nodiscard]] Task task() const { return stages_.task(stop_); }
+  /// The same with other masses. @param mass  outlives the task
+  [[nodiscard]] Task task_with(const MassModel& mass) const { return stages_.task_with(mass, stop_); }
   /// Whether the interior is cut by a quadric, not made of voxels.
   [[nodiscard]] bool exact() const { return stages_.domain->exact.has_value(); }
   [[nodiscard]] const SolverEntry& solver() const { return *solver_; }

