@@ -27,8 +27,7 @@ packages=(
 )
 python=(pybind11-dev python3-dev)
 ci=(clang-format prusa-slicer chromium                                # slicer and browser: 800 MB, for two tests
-    python3-nbconvert python3-ipykernel
-    slurmctld slurmd slurm-client munge)                              # a cluster of two virtual nodes, for one test
+    python3-nbconvert python3-ipykernel)
 case "${1:-}" in
   "") ;;
   --python) packages+=("${python[@]}") ;;
