@@ -1,4 +1,4 @@
-// child.hpp - a program of its own for what is not to be done in this one: watched, and ended at its limits.
+// child.hpp - a run in a program of its own, ended at the limits of the run.
 #pragma once
 
 #include <filesystem>
@@ -15,12 +15,8 @@ struct ChildEnd {
   std::string last_words;  ///< the last line that a quiet one wrote to its standard error
 };
 
-/// Runs a program and waits for its end. Looks at its memory and the clock every 20 ms where there are
-/// limits, and kills it where it has passed one.
-///
-/// @param words  the program, by its file or by a name on the PATH, and its arguments
+/// Runs a program (run_program()) within the limits of a run.
 /// @param quiet  its output is not seen, but for last_words
-/// @throws InputError  no such program, or no room for what it says
 [[nodiscard]] ChildEnd run_child(std::vector<std::string> words, const Limits& limits = {},
                                  bool quiet = false);
 

@@ -6,13 +6,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "geometry/moved.hpp"
@@ -21,9 +19,7 @@
 #include "mesh/shapes.hpp"
 #include "print/gcode/read.hpp"
 #include "print/slice/profile.hpp"
-#include "print/slice/run_program.hpp"
 #include "refusal.hpp"
-#include "stopwatch.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
@@ -37,26 +33,6 @@ TEST(Profiles, AreKeysAndValues) {
   expect_refusal([] { (void)parse_profile("a = 1\n[print]\n", "a.ini"); },
                  "a.ini: line 2: ", {"key = value"});
   expect_refusal([] { (void)read_profile("/nowhere.ini"); }, "--profile /nowhere.ini: ", {});
-}
-
-TEST(Programs, AreRunAndEnded) {
-  const TemporaryFolder folder;
-  const ProgramEnd end =
-      run_program({"sh", "-c", "echo first; echo last words >&2; exit 3"}, folder.path, 10, {});
-  EXPECT_EQ(end.code, 3);
-  EXPECT_TRUE(end.in_time);
-  EXPECT_EQ(end.last_line, "last words");
-  const Stopwatch watch;
-  EXPECT_FALSE(run_program({"sleep", "60"}, folder.path, 0.2, {}).in_time);
-  std::stop_source stop;
-  std::jthread later([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
-    stop.request_stop();
-  });
-  EXPECT_THROW((void)run_program({"sleep", "60"}, folder.path, 60, {stop.get_token(), {}}), Interrupted);
-  EXPECT_LT(watch.seconds(), 20);
-  expect_refusal([&] { (void)run_program({"/nowhere/slicer"}, folder.path, 1, {}); },
-                 "/nowhere/slicer: ", {});
 }
 
 TEST(Slicers, ThatCannotBeRunAreToldAhead) {

@@ -16,7 +16,7 @@
 #include "geometry/rotation.hpp"
 #include "mesh/io/write.hpp"
 #include "print/gcode/read.hpp"
-#include "print/slice/run_program.hpp"
+#include "program/run_program.hpp"
 #include "stop.hpp"
 
 namespace kreisel::core {
@@ -40,7 +40,6 @@ class WorkFolder {
   WorkFolder(const WorkFolder&) = delete;
   WorkFolder& operator=(const WorkFolder&) = delete;
   [[nodiscard]] fs::path operator/(const char* name) const { return path_ / name; }
-  [[nodiscard]] const fs::path& path() const { return path_; }
 
  private:
   fs::path path_;
@@ -91,15 +90,19 @@ Sliced MeshSlicer::operator()(const TriangleMesh& mesh, const Vec3& up, double d
   const TriangleMesh laid = moved(mesh, lay);
   write_mesh(call.model, {laid});
   write_text(call.profile, profile_text(settings_));
-  const ProgramEnd end = run_program(slicer_.words(call), folder.path(), spec_.seconds, control);
-  if (!end.in_time)
+  const ProgramEnd end = run_program({.words = slicer_.words(call),
+                                      .kept = ProgramSpec::Kept::all,
+                                      .seconds = spec_.seconds,
+                                      .stop = control.stop});
+  control.stop_if_asked();
+  if (end.by == ProgramEnd::By::time)
     throw InputError(
         fmt::format("--slicer {}: took more than {:.4g} s and was ended, expected a coarser part or profile",
                     spec_.slicer, spec_.seconds));
   if (end.code != 0 || !fs::exists(call.gcode))
     throw InputError(
         fmt::format("--slicer {}: ended with code {} {} G-code, expected some; its last words: {}",
-                    spec_.slicer, end.code, fs::exists(call.gcode) ? "after" : "without", end.last_line));
+                    spec_.slicer, end.code, fs::exists(call.gcode) ? "after" : "without", end.last_words));
   control.tell("read the G-code");
   FilamentSpec filament;
   filament.density = density;

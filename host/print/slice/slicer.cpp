@@ -10,7 +10,7 @@
 #include "error.hpp"
 #include "geometry/box.hpp"
 #include "parse.hpp"
-#include "print/slice/run_program.hpp"
+#include "program/run_program.hpp"
 #include "words.hpp"
 
 namespace kreisel::core {
