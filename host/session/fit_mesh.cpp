@@ -30,16 +30,17 @@ class InsideMeshes {
   MadePart fitted() {
     constexpr int most_meshes = 6;
     for (int meshes = 1;; ++meshes) {
-      if (meshes == most_meshes) tolerance_ = 0;  // as the mesher leaves it, nothing runs through itself
+      if (meshes == most_meshes) tolerance_ = 0;  // a mesher's own mesh runs through itself nowhere
       const Inside inside = meshed();
       weigh(inside);
       const Moments whole = counted();
-      const Inside moved = met() ? inside : shifted(inside);
-      const bool meets = met();
-      if (meets && is_sound(moved)) return made(moved);
+      const bool plain = met();
+      const Inside moved = plain ? inside : shifted(inside);
+      const bool meets = met(), as_the_mesher_leaves_it = plain && tolerance_ == 0;
+      if (meets && (as_the_mesher_leaves_it || is_sound(moved))) return taken(moved);
       if (meshes == most_meshes || (!meets && !solved_again(whole))) {
         weigh(inside);
-        return made(inside);
+        return taken(inside);
       }
       if (meets) tolerance_ /= 4;
       ++run_.result.rounding.corrections;
@@ -74,7 +75,7 @@ class InsideMeshes {
   MadePart as_it_is() {
     const Inside inside = meshed();
     weigh(inside);
-    return made(inside);
+    return taken(inside);
   }
 
  private:
@@ -139,18 +140,24 @@ class InsideMeshes {
 
   [[nodiscard]] Moments q() const { return Moments(x_.data()); }
 
-  [[nodiscard]] MadePart made(Inside inside) const {
-    return made_of(run_.body(), std::move(inside), options_);
-  }
-
   /// Says in the result what a part of this inside costs.
   void weigh(const Inside& inside) {
     const Body& body = run_.body();
-    now_ = options_.finish ? moments_of(body, made(inside).parts) : moments_of(body, inside);
+    if (options_.finish) {
+      finished_ = made_of(body, inside, options_);
+      now_ = moments_of(body, finished_.parts);
+    } else {
+      now_ = moments_of(body, inside);
+    }
     RoundingCost& cost = run_.result.rounding;
     cost.moments = now_;
     cost.objective = run_.problem().value(now_);
     cost.violation = violation(run_.problem(), now_);
+  }
+
+  /// The part of the inside that was weighed last.
+  [[nodiscard]] MadePart taken(const Inside& inside) {
+    return options_.finish ? std::move(finished_) : made_of(run_.body(), inside, options_);
   }
 
   SolvedRun& run_;
@@ -161,6 +168,7 @@ class InsideMeshes {
   std::vector<double> x_;             ///< the quadric that cuts
   MassModel seen_;                    ///< the mesh's moments, or the print's, in place of the rays'
   Moments now_ = Moments::Zero();     ///< of what was weighed last
+  MadePart finished_;                 ///< that, where parts are finished, which takes long
   Moments beside_ = Moments::Zero();  ///< what a print had more than its mesh
 };
 
