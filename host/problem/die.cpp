@@ -24,31 +24,19 @@ constexpr double no_way = 1e-4;
 /// From the start to the fairest; where that is the start itself, some way that is not taken.
 Vec3 way(const Vec3& start, const Vec3& fairest) {
   const Vec3 along = fairest - start;
-  return along.norm() < no_way ? Vec3::UnitZ() : along;
+  return along.isZero(0) ? Vec3::UnitZ() : along;
 }
 
-/// Minus along . (c - from) / |along|^2, c the centre of mass.
-Ratio reach(const Vec3& from, const Vec3& along) {
-  Ratio ratio{decltype(Ratio::numerators)::Zero(1, 10), Moments::Unit(S1)};
-  ratio.numerators.row(0).segment<3>(SX) = -along.transpose() / along.squaredNorm();
-  ratio.numerators(0, S1) = along.dot(from) / along.squaredNorm();
-  return ratio;
-}
-
-Moments gradient_of(const Ratio& ratio, const Moments& s) {
-  const Moments numerator = ratio.numerators.row(0).transpose();
-  return (numerator - numerator.dot(s) / s[S1] * ratio.denominator) / s[S1];
-}
-
-Matrix10 hessian_of(const Ratio& ratio, const Moments& s) {
-  const Moments g = gradient_of(ratio, s);
-  return -(g * ratio.denominator.transpose() + ratio.denominator * g.transpose()) / s[S1];
+DieGoal goal_of(ConvexHull hull, const Vec3& start) {
+  auto fairness = std::make_shared<const Fairness>(std::move(hull), start);
+  const Vec3 fairest = fairness->fairest();
+  return {std::move(fairness), start, (fairest - start).norm() < no_way ? start : fairest};
 }
 
 /// What is known on the way to a fair die.
-struct Search {
-  std::shared_ptr<const Fairness> fairness;
-  Vec3 start, fairest;
+struct Search : DieGoal {
+  explicit Search(const DieGoal& goal) : DieGoal(goal) {}
+
   Vec3 best = start;  ///< that can be reached
   double loss = fairness->loss(start);
   double radius = 0.1;  ///< of the next step, body lengths
@@ -67,26 +55,14 @@ struct Search {
 };
 
 /// A step of the search: the farthest interior in one direction that meets a few rows.
-class Step final : public Problem {
+class Step final : public Reach {
  public:
   using Onward = std::unique_ptr<Problem> (*)(Search, const Vec3& reached);
 
-  Step(Search search, const Vec3& along, LinearConstraints rows, Onward onward)
-      : search_(std::move(search)),
-        reach_(reach(search_.best, along)),
-        rows_(std::move(rows)),
-        onward_(onward) {}
+  Step(const Search& search, const Vec3& along, LinearConstraints rows, Onward onward)
+      : Reach(search.best, along), search_(search), rows_(std::move(rows)), onward_(onward) {}
 
-  [[nodiscard]] std::string_view name() const override { return "die"; }
-  [[nodiscard]] Convexity convexity() const override { return Convexity::fractional; }
-  [[nodiscard]] Traits traits() const override { return {Filling::either_end}; }
-  [[nodiscard]] double value(const Moments& s) const override {
-    return reach_.numerators.row(0).dot(s) / s[S1];
-  }
-  [[nodiscard]] Moments gradient(const Moments& s) const override { return gradient_of(reach_, s); }
-  [[nodiscard]] Matrix10 hessian(const Moments& s) const override { return hessian_of(reach_, s); }
   [[nodiscard]] const LinearConstraints& constraints() const override { return rows_; }
-  [[nodiscard]] std::optional<Ratio> ratio() const override { return reach_; }
   [[nodiscard]] std::unique_ptr<Problem> next(const Moments& s) const override {
     return onward_(search_, centre_of_mass(s));
   }
@@ -95,7 +71,6 @@ class Step final : public Problem {
 
  private:
   Search search_;
-  Ratio reach_;
   LinearConstraints rows_;
   Onward onward_;
 };
@@ -137,8 +112,7 @@ std::unique_ptr<Problem> descend(Search search) {
   constexpr double least = 1e-3;  // what a verdict takes for nothing
   const Vec3 downhill = -search.fairness->gradient(search.best);
   if (search.radius < least || !(downhill.norm() > 1e-6)) return settle(search);
-  const LinearConstraints box = box_around(search.best, search.radius);
-  return std::make_unique<Step>(std::move(search), downhill, box, after_descent);
+  return std::make_unique<Step>(search, downhill, box_around(search.best, search.radius), after_descent);
 }
 
 std::unique_ptr<Problem> after_the_way(Search search, const Vec3& reached) {
@@ -154,33 +128,40 @@ std::unique_ptr<Problem> after_the_way(Search search, const Vec3& reached) {
 
 }  // namespace
 
-Die::Die(ConvexHull hull, const Moments& solid)
-    : fairness_(std::make_shared<const Fairness>(std::move(hull), centre_of_mass(solid))),
-      start_(centre_of_mass(solid)),
-      fairest_(fairness_->fairest()),
-      reach_(reach(start_, way(start_, fairest_))) {
-  if ((fairest_ - start_).norm() < no_way) fairest_ = start_;
+Reach::Reach(const Vec3& from, const Vec3& along) {
+  numerator_.segment<3>(SX) = -along / along.squaredNorm();
+  numerator_[S1] = along.dot(from) / along.squaredNorm();
 }
 
-Moments Die::gradient(const Moments& s) const { return gradient_of(reach_, s); }
+Moments Reach::gradient(const Moments& s) const {
+  return (numerator_ - value(s) * Moments::Unit(S1)) / s[S1];
+}
 
-Matrix10 Die::hessian(const Moments& s) const { return hessian_of(reach_, s); }
+Matrix10 Reach::hessian(const Moments& s) const {
+  const Moments g = gradient(s), mass = Moments::Unit(S1);
+  return -(g * mass.transpose() + mass * g.transpose()) / s[S1];
+}
+
+std::optional<Ratio> Reach::ratio() const { return Ratio{numerator_.transpose(), Moments::Unit(S1)}; }
+
+Die::Die(ConvexHull hull, const Moments& solid) : Die(goal_of(std::move(hull), centre_of_mass(solid))) {}
+
+Die::Die(DieGoal goal) : Reach(goal.start, way(goal.start, goal.fairest)), goal_(std::move(goal)) {}
 
 std::unique_ptr<Problem> Die::next(const Moments&) const {
-  Search search{fairness_, start_, fairest_};
-  const Vec3 along = fairest_ - start_;
+  const Search search(goal_);
+  const Vec3 along = goal_.fairest - goal_.start;
   if (along.isZero(0)) return settle(search);
-  const LinearConstraints line = Balance(start_, along).constraints();
-  return std::make_unique<Step>(std::move(search), along, line, after_the_way);
+  return std::make_unique<Step>(search, along, Balance(goal_.start, along).constraints(), after_the_way);
 }
 
 Verdict Die::verify(const Moments& s, double length_mm) const {
   const Vec3 c = centre_of_mass(s);
-  const std::vector<double> shares = fairness_->shares(c), solid = fairness_->shares(start_);
+  const std::vector<double> shares = goal_.fairness->shares(c), solid = goal_.fairness->shares(goal_.start);
   const auto [least, most] = std::ranges::minmax(shares);
   const auto [solid_least, solid_most] = std::ranges::minmax(solid);
-  const double off = (c - fairest_).norm(), loss = fairness_->loss(c);
-  const bool fairest = off <= 1e-3, fairer = loss < fairness_->loss(start_);
+  const double off = (c - goal_.fairest).norm(), loss = goal_.fairness->loss(c);
+  const bool fairest = off <= 1e-3, fairer = loss < goal_.fairness->loss(goal_.start);
   Verdict verdict;
   verdict.ok = fairest || fairer;
   verdict.values = {{"faces", static_cast<double>(shares.size())},
