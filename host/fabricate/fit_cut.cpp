@@ -25,19 +25,11 @@ Vec3 gradient(const Moments& q, const Vec3& p) {
 /// A mesher puts vertices on the quadric to its last digits.
 constexpr double on_it = 1e-9;
 
-Vec3 way_of(const Moments& q, const Vec3& p) {
-  const Vec3 slope = gradient(q, p);
-  return slope / slope.squaredNorm();
-}
-
 }  // namespace
 
-void CutEffect::add(const Vec3& at, const Vec3& area, double weight, const Moments& q) {
-  const Moments m = monomials(at);
-  const Vec3 way = way_of(q, at);
-  if (!way.allFinite()) return;  // the tip of a cone
-  moments_ -= weight * area.dot(way) * m * m.transpose();
-  squares_ += area.norm() * way.squaredNorm() * m * m.transpose();
+void CutEffect::add(const Moments& at, const Vec3& way, const Vec3& area, double weight) {
+  moments_ -= weight * area.dot(way) * at * at.transpose();
+  squares_ += area.norm() * way.squaredNorm() * at * at.transpose();
 }
 
 Moments CutEffect::change_for(const Eigen::Matrix<double, Eigen::Dynamic, 10>& rows,
@@ -75,10 +67,10 @@ void CutShift::find(TriangleMesh Inside::*which, double weight, const Moments& q
     }
   }
   for (std::uint32_t v = 0; v < within.size(); ++v) {
-    const Vec3 way = way_of(q, mesh.vertices[v]);
-    if (!within[v] || !way.allFinite()) continue;
-    effect_.add(mesh.vertices[v], area[v], weight, q);
+    const Vec3 slope = gradient(q, mesh.vertices[v]), way = slope / slope.squaredNorm();
+    if (!within[v] || !way.allFinite()) continue;  // beside the cut, or the tip of a cone
     cut_.push_back({which, v, monomials(mesh.vertices[v]), way});
+    effect_.add(cut_.back().at, way, area[v], weight);
   }
 }
 

@@ -14,8 +14,9 @@ namespace kreisel::core {
 /// What a change d of the quadric q does, to first order: it moves the cut by -d(p) grad q / |grad q|^2.
 class CutEffect {
  public:
-  /// A part of the cut. @param area  outward normal, as long as the area  @param weight  of what is behind it
-  void add(const Vec3& at, const Vec3& area, double weight, const Moments& q);
+  /// A part of the cut. @param at  its 1 x y z xy yz xz xx yy zz  @param way  grad q / |grad q|^2 there
+  /// @param area  outward normal, as long as the area  @param weight  of what is behind it
+  void add(const Moments& at, const Vec3& way, const Vec3& area, double weight);
 
   /// Of all d that change these rows of the moments so, the one that moves the cut least, in the mean square
   /// over its area. At an optimum each costs the objective the same. Zero where none does.
