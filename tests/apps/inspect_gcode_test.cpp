@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "apps/json_vector.hpp"
 #include "apps/run_bench.hpp"
 #include "installed.hpp"
 #include "kreisel/mesh.hpp"
@@ -19,11 +20,6 @@ namespace kreisel::core {
 namespace THIS_FILE {
 
 using nlohmann::json;
-
-Vec3 vector_of(const json& values) {
-  const auto at = [&](std::size_t k) { return values.at(k).get<double>(); };
-  return {at(0), at(1), at(2)};
-}
 
 class InspectGcode : public ::testing::Test {
  protected:

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "apps/json_vector.hpp"
 #include "apps/run_bench.hpp"
 #include "apps/run_design.hpp"
 #include "installed.hpp"
@@ -17,11 +18,6 @@ namespace kreisel::core {
 namespace THIS_FILE {
 
 using nlohmann::json;
-
-Vec3 vector_of(const json& values) {
-  const auto at = [&](std::size_t k) { return values.at(k).get<double>(); };
-  return {at(0), at(1), at(2)};
-}
 
 class PrintedDesign : public ::testing::Test {
  protected:
