@@ -242,15 +242,16 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
 Design make_posed(Session& session, const DesignSpec& spec, const Control& control) {
   Design design = make_asked(session, spec, control);
   if (design.does()) return design;
+  RunConfig config = spec.config;
+  config.deform = {};
   if (!design.feasible()) {
-    RunConfig config = spec.config;
     config.wall.to_corners = true;
     SolvedRun run(session, config, control);
     run.result.outcome.termination = Termination::infeasible;
     run.look_for_remedies(control);
     design.run.remedies = run.result.remedies;
   }
-  design.other_axes = other_poses(session, spec.config, design.run.axis, control);
+  design.other_axes = other_poses(session, config, design.run.axis, control);
   return design;
 }
 

@@ -43,6 +43,24 @@ json to_json(const WrittenMould& written) {
           {"metal_mm3", mould.metal}};
 }
 
+json to_json(const DeformationReport& d) {
+  json steps = json::array();
+  for (const DeformStep& step : d.history)
+    steps.push_back({{"missed", number(step.missed)}, {"largest", step.largest}, {"cuts", step.cuts}});
+  return {{"reached", to_string(d.reached)},
+          {"text", d.text()},
+          {"largest_mm", d.largest_mm},
+          {"largest_percent", d.largest_percent},
+          {"where_mm", json_list(d.where)},
+          {"volume_before_mm3", d.volume_before},
+          {"volume_after_mm3", d.volume_after},
+          {"least_determinant", d.least_determinant},
+          {"split_triangles", d.split},
+          {"missed", number(d.missed)},
+          {"steps", steps},
+          {"seconds", d.seconds}};
+}
+
 json to_json(const Residual& residual) {
   return {{"centre_of_mass_mm", number(residual.centre_of_mass_mm)},
           {"axis_degrees", number(residual.axis_degrees)},
@@ -84,6 +102,7 @@ std::string to_json(const Design& design) {
                   {"files", json::array()},
                   {"seconds", r.whole_seconds},
                   {"peak_bytes", r.peak_bytes}};
+  if (r.deformation) summary["deformation"] = to_json(*r.deformation);
   if (!design.pose.empty()) summary["pose"] = design.pose;
   if (!design.feasible() || !design.other_axes.empty()) summary["other_axes"] = design.other_axes;
   if (!design.feasible()) {

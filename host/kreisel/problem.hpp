@@ -16,6 +16,7 @@
 
 #include "kreisel/export.hpp"
 #include "kreisel/mesh.hpp"
+#include "kreisel/moments.hpp"
 #include "kreisel/verdict.hpp"
 
 namespace kreisel {
@@ -25,6 +26,12 @@ struct LinearConstraints {
   Eigen::Matrix<double, Eigen::Dynamic, 10> matrix;
   Eigen::VectorXd lower, upper;
   std::vector<std::string> names;
+};
+
+/// Water that a body lies in, body frame and units.
+struct Water {
+  double surface;  ///< z
+  double density;  ///< in those of the body's shell
 };
 
 /// What is known of f over the convex set of attainable moments; decides which certificates apply. `unknown`:
@@ -125,6 +132,20 @@ class KREISEL_API Problem {
 
   /// What could be asked of this body with this shell, in a sentence; empty when there is nothing to say.
   [[nodiscard]] virtual std::string scope(const MassModel&) const { return {}; }
+
+  /// Rows that, where they hold beside constraints(), make what verify() asks beyond those hold as well; tight
+  /// near `s`. None where it asks no more. What shapes a body goes by them, no solver does.
+  [[nodiscard]] virtual LinearConstraints also_asked(const Moments& /*s*/) const { return {}; }
+  /// The point of the body frame that the question is about: where the body's shape changes it goes with the
+  /// material there. Default the origin.
+  [[nodiscard]] virtual Vec3 anchor() const { return Vec3::Zero(); }
+
+  /// The height, body frame, up to which the shape is part of the question, as the base is that a body stands
+  /// on: where the body's shape changes it stays as it is there. Default: there is none.
+  [[nodiscard]] virtual std::optional<double> fixed_below() const { return std::nullopt; }
+  /// The water that bounds go by: as the shape changes, those of constraints() grow by density times rows .
+  /// the moments of what of the body comes to lie below its surface. Default: there is none.
+  [[nodiscard]] virtual std::optional<Water> water() const { return std::nullopt; }
 
   /// Why no interior whatever can do it, in a sentence; empty: that depends on the interior. Then nothing is
   /// solved.

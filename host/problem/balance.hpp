@@ -26,6 +26,7 @@ class Balance final : public Problem {
   [[nodiscard]] Moments gradient(const Moments&) const override { return -Moments::Unit(S1); }
   [[nodiscard]] Matrix10 hessian(const Moments&) const override { return Matrix10::Zero(); }
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
+  [[nodiscard]] Vec3 anchor() const override { return point_; }
 
   /// Balanced when the centre of mass is within 1e-3 L of the point or line.
   [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override;

@@ -45,6 +45,12 @@ class Float final : public Problem {
   [[nodiscard]] Matrix10 hessian(const Moments&) const override { return Matrix10::Zero(); }
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
 
+  /// Nothing where a stable draft is sought: that depends on the waterplane, too.
+  [[nodiscard]] std::optional<Water> water() const override {
+    if (draft_.sought) return std::nullopt;
+    return Water{draft_.water.waterline, draft_.fluid / draft_.density};
+  }
+
   /// Minus the metacentric height.
   [[nodiscard]] double pose_loss(const Moments& s) const override {
     return centre_of_mass(s + draft_.load)[2] - draft_.water.metacentre();

@@ -19,6 +19,7 @@ class Hang final : public Problem {
   [[nodiscard]] Moments gradient(const Moments& s) const override { return on_line_.gradient(s); }
   [[nodiscard]] Matrix10 hessian(const Moments& s) const override { return on_line_.hessian(s); }
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
+  [[nodiscard]] Vec3 anchor() const override { return on_line_.point(); }
 
   /// Hangs as posed when the centre of mass is below the point and within 1e-3 L of the vertical through it;
   /// else by how many degrees it turns.

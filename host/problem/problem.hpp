@@ -27,6 +27,7 @@ using kreisel::Problem;
 using kreisel::Ratio;
 using kreisel::Traits;
 using kreisel::Verdict;
+using kreisel::Water;
 
 /// Largest violation of the problem's constraints, body units; of nonlinear rows where they are in the
 /// moments alone.

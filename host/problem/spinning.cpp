@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string_view>
 #include <vector>
 
@@ -58,6 +59,32 @@ Spinning::Spinning(const SpinWeights& weights, bool centred, SpinForm form)
   }
   constraints_.lower = constraints_.upper = Eigen::VectorXd::Zero(rows);
   if (form == SpinForm::angle) nonlinear_ = std::make_shared<PrincipalAngle>(weights);
+}
+
+LinearConstraints Spinning::also_asked(const Moments& s) const {
+  constexpr int directions = 6;  // a half turn of them: 30 degrees apart, none misses a moment by over 2 %
+  constexpr double larger = 1.05;
+  const double c = s[SZ] / s[S1];
+  LinearConstraints rows;
+  rows.matrix.setZero(directions, 10);
+  rows.lower.setZero(directions);
+  rows.upper.setConstant(directions, std::numeric_limits<double>::infinity());
+  for (int k = 0; k < directions; ++k) {
+    const double angle = k * std::numbers::pi / directions, x = std::cos(angle), y = std::sin(angle);
+    auto row = rows.matrix.row(k);
+    // Across the axis (x, y, 0): z - c and y px - x py.
+    row[SZZ] = 1;
+    row[SZ] = -2 * c;
+    row[S1] = c * c;
+    row[SXX] = y * y;
+    row[SYY] = x * x;
+    row[SXY] = -2 * x * y;
+    row *= -larger;
+    row[SXX] += 1;
+    row[SYY] += 1;
+    rows.names.push_back(fmt::format("Izz the largest, against the axis at {:.0f} degrees", 30.0 * k));
+  }
+  return rows;
 }
 
 SpinState spin_state(const Moments& s) {

@@ -54,6 +54,11 @@ class Spinning : public Problem {
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
   [[nodiscard]] const Nonlinear* nonlinear() const override { return nonlinear_.get(); }
 
+  /// That Izz is 5 % larger than the moment about each of six lateral axes through a point of the axis at
+  /// the centre of mass's height c. Sufficient for any s whose own height is another, as sz^2/s1 >= 2 c sz -
+  /// c^2 s1, and exact at c.
+  [[nodiscard]] LinearConstraints also_asked(const Moments& s) const override;
+
   /// Centre of mass off the axis (where it is to be the origin, off that) <= 1e-3 L, axis tilt <= 0.1
   /// degrees, Izz the largest principal moment about the centre of mass. omega_min_rpm from SpinIt's eq. 1,
   /// NaN when Izz is not the largest, the centre of mass lies below the contact point or is to be the origin:

@@ -12,6 +12,9 @@ struct Base {
   double ground = 0;       ///< z of the lowest point
   double height = 0;       ///< of the whole body
 
+  /// What is no higher belongs to the base.
+  [[nodiscard]] double rim() const { return ground + 0.01 * height; }
+
   /// Tangent of the smallest angle over the polygon's edges by which the body must be tilted to topple;
   /// negative when the centre of mass c is outside.
   [[nodiscard]] double tangent(const Vec3& c) const { return polygon.inside(c.head<2>()) / (c[2] - ground); }
@@ -37,6 +40,7 @@ class Stand final : public Problem {
   [[nodiscard]] Matrix10 hessian(const Moments& s) const override;
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
   [[nodiscard]] std::optional<Ratio> ratio() const override;
+  [[nodiscard]] std::optional<double> fixed_below() const override { return base_.rim(); }
   /// Of the points that the centre of mass may be over, the one nearest to p. Body frame and units.
   [[nodiscard]] Vec2 nearest_target(const Vec2& p) const {
     return margin_ ? allowed_.nearest(p) : base_.polygon.centroid;
@@ -75,6 +79,7 @@ class MaxTilt final : public Problem {
   [[nodiscard]] Matrix10 hessian(const Moments& s) const override;
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
   [[nodiscard]] std::optional<Ratio> ratio() const override;
+  [[nodiscard]] std::optional<double> fixed_below() const override { return base_.rim(); }
   [[nodiscard]] std::unique_ptr<Problem> next(const Moments& s) const override;
   [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override;
 

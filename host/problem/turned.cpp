@@ -47,10 +47,7 @@ class TurnedNonlinear final : public Nonlinear {
 }  // namespace
 
 Turned::Turned(std::unique_ptr<Problem> inner, const Eigen::Matrix3d& R, const Vec3& t)
-    : Turned(std::move(inner), moment_map(R, t)) {}
-
-Turned::Turned(std::unique_ptr<Problem> inner, const Matrix10& map)
-    : inner_(std::move(inner)), map_(map), constraints_(inner_->constraints()) {
+    : inner_(std::move(inner)), R_(R), t_(t), map_(moment_map(R, t)), constraints_(inner_->constraints()) {
   constraints_.matrix = inner_->constraints().matrix * map_;
   if (inner_->nonlinear()) nonlinear_ = std::make_unique<TurnedNonlinear>(*inner_->nonlinear(), map_);
 }
@@ -70,7 +67,13 @@ Matrix10 Turned::hessian(const Moments& s) const {
 std::unique_ptr<Problem> Turned::next(const Moments& s) const {
   std::unique_ptr<Problem> inside = inner_->next(map_ * s);
   if (!inside) return nullptr;
-  return std::unique_ptr<Problem>(new Turned(std::move(inside), map_));
+  return std::make_unique<Turned>(std::move(inside), R_, t_);
+}
+
+LinearConstraints Turned::also_asked(const Moments& s) const {
+  LinearConstraints rows = inner_->also_asked(map_ * s);
+  if (rows.matrix.rows() > 0) rows.matrix *= map_;
+  return rows;
 }
 
 std::string Turned::scope(const MassModel& mass) const {

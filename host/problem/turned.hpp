@@ -30,6 +30,8 @@ class Turned final : public Problem {
   [[nodiscard]] const Nonlinear* nonlinear() const override { return nonlinear_.get(); }
   [[nodiscard]] std::unique_ptr<Problem> next(const Moments& s) const override;
   [[nodiscard]] std::string scope(const MassModel& mass) const override;
+  [[nodiscard]] LinearConstraints also_asked(const Moments& s) const override;
+  [[nodiscard]] Vec3 anchor() const override { return R_.transpose() * (inner_->anchor() - t_); }
   [[nodiscard]] std::string impossible() const override { return inner_->impossible(); }
   [[nodiscard]] double pose_loss(const Moments& s) const override { return inner_->pose_loss(map_ * s); }
   [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override {
@@ -37,9 +39,9 @@ class Turned final : public Problem {
   }
 
  private:
-  Turned(std::unique_ptr<Problem> inner, const Matrix10& map);
-
   std::unique_ptr<Problem> inner_;
+  Eigen::Matrix3d R_;
+  Vec3 t_;
   Matrix10 map_;  ///< T
   LinearConstraints constraints_;
   std::unique_ptr<const Nonlinear> nonlinear_;

@@ -46,6 +46,17 @@ struct Limits {
   [[nodiscard]] bool any() const { return gigabytes > 0 || seconds > 0; }
 };
 
+/// Whether the shape may change where no interior will do. [docs/deformation.md]
+struct DeformSpec {
+  bool wanted = false;
+  /// Largest displacement, percent of the longest side: the best objective within it. Nothing: as little as
+  /// does.
+  std::optional<double> within;
+  std::vector<std::string> keep;  ///< what stays as it is: balls "x,y,z,r", mm, and meshes
+
+  bool operator==(const DeformSpec&) const = default;
+};
+
 /// What solves, maps and simulations have in common: what is asked of which body, over which domain, where.
 struct Asked {
   BodySpec body;
@@ -64,6 +75,7 @@ struct Asked {
 
 /// A solve, and the part made of it. Defaults are those of `bench --formulation rayrep`.
 struct RunConfig : Asked {
+  DeformSpec deform;
   Rounding rounding = Rounding::fitted;
   Part part = Part::written;
   int repeat = 1;              ///< timed solves at most, >= 1

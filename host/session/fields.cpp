@@ -284,6 +284,39 @@ Fields<Asked> setting_fields() {
   return grouped("the problem's settings", fields);
 }
 
+/// Whether the shape may change, and what of it not.
+Fields<RunConfig> deform_fields() {
+  return grouped<RunConfig>(
+      "deformation",
+      {chosen_from<RunConfig>(
+           words_of({"least"}),
+           {"deform", "",
+            "the shape may change: least (as little as does), or at most N% of the longest side (the best "
+            "within it); default it stays",
+            [](C c, S k, S v) {
+              c.deform.wanted = true;
+              c.deform.within.reset();
+              if (v == "least") return;
+              const double percent = parse_with_unit(v, "%").value_or(-1);
+              if (!(percent > 0 && percent <= 50)) refuse(k, v, "least, or a share above 0 and up to 50% such as 5%");
+              c.deform.within = percent;
+            },
+            [](ConstC c) {
+              if (!c.deform.wanted) return std::string();
+              return c.deform.within ? fmt::format("{}%", *c.deform.within) : std::string("least");
+            }}),
+       {"keep", "",
+        "what stays as it is: a ball x,y,z,r in mm, or the inside of a mesh file; several apart by ';'",
+        [](C c, S k, S v) {
+          c.deform.keep.clear();
+          for (const S one : split(v, ';')) {
+            if (one.empty()) refuse(k, v, "x,y,z,r in mm, or a mesh file; several apart by ';'");
+            c.deform.keep.emplace_back(one);
+          }
+        },
+        [](ConstC c) { return fmt::format("{}", fmt::join(c.deform.keep, ";")); }}});
+}
+
 /// How often, how long, how near, and whether a part is made.
 Fields<RunConfig> effort_fields() {
   return grouped<RunConfig>(
@@ -359,7 +392,7 @@ const Fields<RunConfig>& rounding_fields() {
 }
 
 const Fields<RunConfig>& solve_fields() {
-  static const Fields<RunConfig> all = joined<RunConfig>(asked_fields(), rounding_fields(), effort_fields());
+  static const Fields<RunConfig> all = joined<RunConfig>(asked_fields(), deform_fields(), rounding_fields(), effort_fields());
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include "fabricate/verify.hpp"
 #include "fabricate/voids.hpp"
 #include "session/config.hpp"
+#include "session/deformation_report.hpp"
 #include "session/provenance.hpp"
 #include "solve/certificate.hpp"
 #include "solve/solver.hpp"
@@ -73,6 +74,7 @@ struct RunResult {
   Outcome outcome;                                          ///< of the last timed solve
   std::string infeasibility;               ///< what cannot be met, when the outcome is infeasible
   std::string remedies;                    ///< and what would help
+  std::optional<DeformationReport> deformation;  ///< when asked for; then all else is of the deformed body
   std::optional<Certificate> certificate;  ///< when asked for
   std::vector<Seconds> samples;            ///< every timed solve
   Seconds median;                          ///< of each column of samples

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "error.hpp"
+#include "session/deformed.hpp"
 #include "session/remedies.hpp"
 #include "solve/explain.hpp"
 #include "statistics.hpp"
@@ -56,14 +58,29 @@ SolverOptions options_of(const RunConfig& config, const SolverEntry& solver) {
 }  // namespace
 
 SolvedRun::SolvedRun(Session& session, const RunConfig& config, const Control& control, Along rays)
-    : stop_(control.stop), solver_(&checked_solver(config)), options_(options_of(config, *solver_)) {
-  stages_ = session.stages(config, control, rays);
+    : stop_(control.stop), solver_(&checked_solver(config)), options_(options_of(config, *solver_)), asked_(config) {
+  if (!config.deform.keep.empty() && !config.deform.wanted)
+    throw InputError("--keep of a body whose shape stays; expected --deform, too");
+  stages_ = session.stages(config, control, config.deform.wanted ? Along::own_axis : rays);
+  if (config.deform.wanted) deform(control, rays);
   require_form(*solver_, *stages_.problem);
   require_form(*solver_, *stages_.formulation);
   setup_seconds_ = whole_.seconds() - stages_.opening_seconds;
   result.config = config;
   result.config.solver = solver_->name;
   describe_run(session.provenance());
+}
+
+/// The run goes on with the body that it becomes, in a session of its own.
+void SolvedRun::deform(const Control& control, Along rays) {
+  Deformed found = deformed(stages_, asked_, control);
+  result.deformation = std::move(found.report);
+  asked_ = std::move(found.question);
+  if (!found.solid) return;
+  of_deformed_ = std::make_unique<Session>(found.solid, stages_.device);
+  const double opening = stages_.opening_seconds;
+  stages_ = of_deformed_->stages(asked_, control, rays);
+  stages_.opening_seconds = opening;
 }
 
 void SolvedRun::solve(const Control& control) {
@@ -91,7 +108,7 @@ void SolvedRun::solve(const Control& control) {
 
 void SolvedRun::look_for_remedies(const Control& control) {
   if (result.outcome.termination != Termination::infeasible || !problem().impossible().empty()) return;
-  result.remedies = what_would_help(result.config, body(), problem(), *stages_.device, control);
+  result.remedies = what_would_help(asked_, body(), problem(), *stages_.device, control);
   control.stop_if_asked();
 }
 

@@ -1,6 +1,7 @@
 // solved_run.hpp - a question answered, with all that its part is made from.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "session/result.hpp"
@@ -49,9 +50,13 @@ class SolvedRun {
   /// Since the run began, without the certificate.
   [[nodiscard]] double seconds() const { return whole_.seconds() - certifying_; }
 
+  /// Of the body as it was asked, also where it has been deformed.
+  [[nodiscard]] const RunConfig& asked() const { return asked_; }
+
   RunResult result;  ///< its part: nothing yet
 
  private:
+  void deform(const Control& control, Along rays);
   void describe_run(const Provenance& provenance);
   void go_on_from_the_certificate();
   void repeat_solve(const Control& control);
@@ -60,6 +65,8 @@ class SolvedRun {
   std::stop_token stop_;
   const SolverEntry* solver_;
   SolverOptions options_;
+  std::unique_ptr<Session> of_deformed_;  ///< where the body was
+  RunConfig asked_;                       ///< of the body of the stages
   Stages stages_;
   double setup_seconds_ = 0, certifying_ = 0;
 };

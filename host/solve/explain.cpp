@@ -7,35 +7,17 @@
 #include <functional>
 
 #include "parse.hpp"
+#include "solve/relaxed.hpp"
 
 namespace kreisel::core {
 namespace {
 
-/// Some of a problem's constraints, with the margin as the goal.
-class Relaxed final : public Problem {
- public:
-  Relaxed(const Problem& problem, const std::vector<Eigen::Index>& rows) : problem_(problem) {
-    const LinearConstraints& all = problem.constraints();
-    constraints_.matrix = all.matrix(rows, Eigen::all);
-    constraints_.lower = all.lower(rows);
-    constraints_.upper = all.upper(rows);
-    for (const Eigen::Index r : rows) constraints_.names.push_back(all.names[static_cast<std::size_t>(r)]);
-  }
-  [[nodiscard]] std::string_view name() const override { return problem_.name(); }
-  [[nodiscard]] Convexity convexity() const override { return Convexity::linear; }
-  [[nodiscard]] Goal goal() const override { return Goal::margin; }
-  [[nodiscard]] double value(const Moments& s) const override { return problem_.value(s); }
-  [[nodiscard]] Moments gradient(const Moments& s) const override { return problem_.gradient(s); }
-  [[nodiscard]] Matrix10 hessian(const Moments& s) const override { return problem_.hessian(s); }
-  [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
-  [[nodiscard]] Verdict verify(const Moments& s, double length_mm) const override {
-    return problem_.verify(s, length_mm);
-  }
-
- private:
-  const Problem& problem_;
-  LinearConstraints constraints_;
-};
+/// Some of a problem's constraints.
+LinearConstraints some_of(const LinearConstraints& all, const std::vector<Eigen::Index>& rows) {
+  LinearConstraints some{all.matrix(rows, Eigen::all), all.lower(rows), all.upper(rows), {}};
+  for (const Eigen::Index r : rows) some.names.push_back(all.names[static_cast<std::size_t>(r)]);
+  return some;
+}
 
 /// How rows are missed at the moments where the worst is missed least.
 struct LeastMisses {
@@ -45,7 +27,7 @@ struct LeastMisses {
 
 LeastMisses least_misses(const SolverEntry& solver, const Task& task, const SolverOptions& options,
                          const std::vector<Eigen::Index>& rows) {
-  const Relaxed relaxed(task.problem, rows);
+  const Relaxed relaxed(task.problem, some_of(task.problem.constraints(), rows));
   const Outcome best = solver.solve({relaxed, task.formulation, task.mass, task.device, task.stop}, options);
   const LinearConstraints& c = relaxed.constraints();
   const Eigen::VectorXd value = c.matrix * best.moments;

@@ -111,7 +111,7 @@ void add_options(CLI::App& app, Parsed& parsed, const ProblemEntry& problem) {
   run.add(app, "--wall", "wall", "least wall: mm, or 2% (of the longest side, the default), or 1.5h (cells)");
   run.add_some(app, {&solve},
                {"unit", "weld", "close-holes", "inside-out", "pieces", "size", "density", "interior-density",
-                "void-density", "fineness", "device"});
+                "void-density", "fineness", "device", "deform", "keep"});
   run.add(app, "--resolution", "resolution", "cells along the longest side; default 128");
   run.add(app, "--formulation", "formulation", "how the interior is described; default quadric");
   run.add_settings(app, solve);

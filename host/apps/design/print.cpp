@@ -127,6 +127,7 @@ void print_design(const Design& d) {
   fmt::print("{}: {}, {:.4g} x {:.4g} x {:.4g} mm, {:.4g} g/cm^3; axis {} through {} mm\n", r.body_name,
              r.config.problem, size[0], size[1], size[2], r.density, text(r.axis, 3), text(r.contact, 2));
   for (const std::string& line : r.repairs) fmt::print("  repaired   {}\n", line);
+  if (r.deformation) fmt::print("  shape      {}\n", r.deformation->text());
   if (!d.feasible()) {
     if (!d.before.verdict.text.empty()) fmt::print("  solid      {}\n", d.before.verdict.text);
     fmt::print("  infeasible {}\n", r.infeasibility);

@@ -1,0 +1,151 @@
+#include "session/deformed.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "body/hydrostatics.hpp"
+#include "error.hpp"
+#include "mesh/make/refine.hpp"
+#include "parse.hpp"
+#include "settings/field_text.hpp"
+#include "stop.hpp"
+
+namespace kreisel::core {
+namespace {
+
+constexpr double longest_face = 0.05;  ///< of the body: longer ones bend in steps that show
+constexpr double blend = 0.15;         ///< of the body, over which a motion fades in around what is kept
+constexpr double room = 0.25;          ///< of the body, that it may grow by on every side
+constexpr int most_cells = 64;         ///< the search's own: what is met with a margin is met on others
+
+void require_deformable(const Stages& stages, const RunConfig& question) {
+  const auto refuse = [](const std::string& what, const char* expected) {
+    throw InputError(fmt::format("--deform {}; expected {}", what, expected));
+  };
+  if (find_formulation(question.formulation).offers.oracle == false)
+    refuse(fmt::format("of formulation {}", question.formulation), "--formulation quadric");
+  const BodySpec& body = question.body;
+  if (body.axle.radius) refuse("of halves on an axle", "a yo-yo without --axle");
+  if (body.stem.wanted()) refuse("of a body on a stem", "one without --stem and --tip");
+  const Problem& problem = *stages.problem;
+  if (problem.constraints().matrix.rows() == 0)
+    refuse(fmt::format("for {}, which any interior does or none", problem.name()),
+           "a problem that the moments decide");
+  const auto water = problem.water();
+  constexpr double boat = 0.01;
+  if (water && hydrostatics(stages.body->local, water->surface).dry > boat)
+    refuse("of a body that keeps water out, as a boat", "one without dry space below the waterline");
+}
+
+/// @throws InputError  neither a ball nor a mesh
+std::unique_ptr<Held> kept(const std::string& text, const Frame& frame, double side) {
+  std::vector<double> numbers;
+  for (const std::string_view part : field_text::split(text, ','))
+    if (const auto number = parse<double>(part)) numbers.push_back(*number);
+  if (numbers.size() == 4 && numbers[3] >= 0)
+    return held_ball(frame.to_body({numbers[0], numbers[1], numbers[2]}), numbers[3] / frame.length,
+                     blend * side);
+  if (!numbers.empty())
+    throw InputError(fmt::format("--keep {}; expected x,y,z,r in mm with r >= 0, or a mesh file", text));
+  BodySpec spec;
+  spec.model = text;
+  Source source = load_solid(spec);
+  for (Vec3& v : source.mesh.vertices) v = frame.to_body(source.millimetres * v);
+  return held_inside(std::move(source.mesh), 1e-6, blend * side);
+}
+
+std::shared_ptr<const Held> held_of(const Stages& stages, const DeformSpec& spec, double side) {
+  std::vector<std::unique_ptr<Held>> parts;
+  for (const std::string& keep : spec.keep) parts.push_back(kept(keep, stages.body->frame, side));
+  if (const auto height = stages.problem->fixed_below())
+    parts.push_back(held_below(*height, blend * side));
+  if (parts.empty()) return nullptr;
+  return held_together(std::move(parts));
+}
+
+}  // namespace
+
+std::string DeformationReport::text() const {
+  switch (reached) {
+    case Reached::nothing:
+      return fmt::format("no deformation was found that does it ({} steps)", history.size());
+    case Reached::constraints:
+    case Reached::all:
+      break;
+  }
+  return fmt::format(
+      "deformed: at most {:.3g} mm ({:.3g} % of the longest side, at {:.3g}), volume {:.4g} to {:.4g} cm^3, "
+      "space shrunk to no less than {:.2f}{}",
+      largest_mm, largest_percent, fmt::join(where, ","), volume_before / 1e3, volume_after / 1e3,
+      least_determinant,
+      reached == Reached::constraints ? "; it balances, though what else is asked was out of reach" : "");
+}
+
+Deformed deformed(const Stages& stages, const RunConfig& question, const Control& control) {
+  require_deformable(stages, question);
+  const StopScope scope(control.stop);
+  Body body = *stages.body;
+  const double side = bounding_box(body.local).extent().maxCoeff(), length = body.frame.length;
+  const std::size_t triangles = body.local.triangles.size();
+  split_edges(body.local, [most = longest_face * side](const Vec3& a, const Vec3& b) {
+    return (a - b).squaredNorm() > most * most;
+  });
+  DeformOptions options;
+  options.held = held_of(stages, question.deform, side);
+  if (question.deform.within) options.within = *question.deform.within / 100 * side;
+  GridSpec grid = question.grid;
+  grid.cells.reset();
+  grid.resolution = std::min(grid.resolution, most_cells);
+  const double wall = stages.domain->wall() * length;
+  const ShapeRays rays = shape_rays(body, grid, {wall, Wall::millimetres}, room);
+  const Deformation found = deform(body, *stages.problem, rays, options, *stages.device, control);
+
+  Deformed result;
+  DeformationReport& report = result.report;
+  report.reached = found.reached;
+  report.largest_mm = found.largest * length;
+  report.largest_percent = 100 * found.largest / side;
+  report.where = body.frame.to_model(found.where);
+  report.volume_before = std::pow(length, 3) * body.solid[S1];
+  report.volume_after = report.volume_before * found.volume;
+  report.least_determinant = found.least_determinant;
+  report.missed = found.missed;
+  report.split = body.local.triangles.size() - triangles;
+  report.history = found.history;
+  report.seconds = found.seconds;
+  report.before = to_model(body.frame, body.local);
+
+  result.question = question;
+  result.question.deform = {};
+  if (found.reached == Reached::nothing) return result;
+  auto solid = std::make_shared<Source>();
+  solid->name = body.name;
+  solid->format = "deformed";
+  solid->mesh = to_model(body.frame, found.local);
+  solid->ours = true;
+  solid->axis = body.usual.axis;
+  solid->up = body.usual.up;
+  solid->repairs = body.repairs;
+  result.solid = std::move(solid);
+  RunConfig& asked = result.question;
+  asked.wall = {wall, Wall::millimetres, question.wall.to_corners};
+  asked.flatten = false;
+  asked.body.size.reset();
+  asked.body.unit.reset();
+  asked.body.flatten.reset();
+  asked.body.axis = body.axis;
+  asked.body.contact = body.frame.to_model(found.anchor - stages.problem->anchor());
+  if (asked.settings.contains("problem.point"))
+    asked.settings["problem.point"] = field_text::text_of(body.frame.to_model(found.anchor));
+  if (const auto water = stages.problem->water())
+    asked.settings["problem.draft"] = fmt::format(
+        "{:.17g}mm", (water->surface - bounding_box(found.local).lo[2]) * length);
+  return result;
+}
+
+}  // namespace kreisel::core
