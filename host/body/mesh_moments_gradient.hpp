@@ -16,18 +16,28 @@ namespace kreisel::core {
 /// by the integral of q V . n. A vertex moves the triangles beside it by its hat function: over each, q times
 /// that is a cubic whose integral has a closed form. Exact for the mesh as it is. [SpinIt, eq. 4, derived]
 ///
-/// @param mesh  closed, outward-oriented; coordinates that q is of
-/// @return      one vector a vertex
+/// @param mesh  closed, outward-oriented; in the coordinates that q is of
+/// @return      one vector a vertex; within mesh_moments_gradient_bound() times the reference's abs_sum of
+///              the mesh about the middle of its box
 [[nodiscard]] std::vector<Vec3> mesh_moments_gradient(const TriangleMesh& mesh, const Moments& q,
                                                       device::Device& device);
+
+/// Relative to the sum of absolute terms: at most 60 roundings a term, and one for each triangle beside a
+/// vertex.
+[[nodiscard]] double mesh_moments_gradient_bound(const TriangleMesh& mesh, const device::Device& device);
 
 /// The mean over a triangle of q times each of its three hat functions.
 [[nodiscard]] std::array<double, 3> means_with_hats(const Moments& q, const std::array<Vec3, 3>& corners);
 
 namespace reference {
 
+struct GradientSums {
+  std::vector<Vec3> value;
+  std::vector<double> abs_sum;  ///< of the absolute values of all that is added up for a vertex
+};
+
 /// The same in plain double on the host, triangle by triangle.
-[[nodiscard]] std::vector<Vec3> mesh_moments_gradient(const TriangleMesh& mesh, const Moments& q);
+[[nodiscard]] GradientSums mesh_moments_gradient(const TriangleMesh& mesh, const Moments& q);
 
 }  // namespace reference
 }  // namespace kreisel::core

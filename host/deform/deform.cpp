@@ -24,7 +24,7 @@ namespace kreisel::core {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double met = 1e-6;         ///< what misses by less misses by round-off
+constexpr double met = 1e-6;           ///< what misses by less misses by round-off
 constexpr double most_of_step = 0.04;  ///< of the longest side: as far as derivatives are trusted
 
 /// Vertices spread evenly over a surface, one a cell of a twentieth of its longest side.
@@ -99,6 +99,7 @@ class Search {
     if (options.held) spread_rows_.rowwise() += motion_.anchor_row();
     bending_ = handles_->bending();
     here_.u = Eigen::MatrixX3d::Zero(n, 3);
+    also_near_ = body.solid;
     emphasis_ = Eigen::VectorXd::Ones(spread_rows_.rows());
   }
 
@@ -109,6 +110,7 @@ class Search {
   struct State {
     Eigen::MatrixX3d u;
     double missed = infinity, largest = infinity;
+    double falls_short = infinity;      ///< of all that it is to meet: what is left of the worst
     Moments moments = Moments::Zero();  ///< of the interior that misses least
     bool does = false;
   };
@@ -124,11 +126,11 @@ class Search {
   /// Steps towards what meets `also`, too, or not; then polishes what does. Leaves the best in best_.
   bool reach(bool also, int most_steps);
   void look(bool also);
-  void step();
-  void set_emphasis(double power);
+  void step(double most);
+  void set_emphasis(const Eigen::MatrixX3d& u, double power);
   [[nodiscard]] Eigen::MatrixXd energy() const;
-  void add_dips(HandleRows& rows) const;
-  void add_determinants(HandleRows& rows) const;
+  void add_dips(HandleRows& rows, const Eigen::MatrixX3d& u) const;
+  void add_determinants(HandleRows& rows, const Eigen::MatrixX3d& u) const;
   [[nodiscard]] double largest(const Eigen::MatrixX3d& u) const {
     Eigen::MatrixX3d d = motion_.displacement(u);
     if (options_.held)
@@ -157,6 +159,7 @@ class Search {
   Eigen::MatrixXd spread_rows_, bending_;
   Eigen::VectorXd emphasis_;  ///< of the vertices that are spread over the surface
 
+  Moments also_near_;  ///< of interiors like this what is asked beyond the constraints is made rows
   State here_;
   std::optional<State> best_;
   std::vector<Cut> cuts_;
@@ -174,20 +177,22 @@ void Search::look(bool also) {
     asked.lower += asked.matrix * more;
     asked.upper += asked.matrix * more;
   }
-  if (also) {
-    const Moments& s = here_.moments[S1] > 0 ? here_.moments : shape.body().solid;
-    asked = joined(asked, problem_.also_asked(s));
-  }
+  if (also) asked = joined(asked, problem_.also_asked(also_near_));
   const Rows rows = rows_of(asked, true);
   const Relaxed relaxed(problem_, asked);
-  const Outcome outcome =
-      solve(find_solver("moment", "quadric"), shape.task(relaxed, control_.stop), {});
+  const SolverEntry& moment = find_solver("moment", "quadric");
+  SolverOptions enough;  // far below what is taken for met, at half of the passes of all digits
+  enough.own = moment.read({{"tolerance", "1e-9"}});
+  const Outcome outcome = solve(moment, shape.task(relaxed, control_.stop), enough);
   here_.moments = outcome.moments;
   here_.missed = rows.violation(outcome.moments);
+  // Where all is met, any of many interiors may be the one: nothing to go by.
+  if (here_.missed > met) also_near_ = outcome.moments;
   for (Cut& cut : cuts_) cut.conservativeResizeLike(Eigen::VectorXd::Zero(rows.size()));
-  const double weight = outcome.multipliers.empty()
-                            ? 0
-                            : Eigen::Map<const Eigen::VectorXd>(outcome.multipliers.data(), rows.size()).sum();
+  const double weight =
+      outcome.multipliers.empty()
+          ? 0
+          : Eigen::Map<const Eigen::VectorXd>(outcome.multipliers.data(), rows.size()).sum();
   if (here_.missed > met && weight > 0)
     cuts_.push_back(Eigen::Map<const Eigen::VectorXd>(outcome.multipliers.data(), rows.size()) / weight);
 
@@ -206,9 +211,11 @@ void Search::look(bool also) {
     cut_rows_.add(slope, -options_.margin - value + slope.cwiseProduct(here_.u).sum());
   }
   here_.largest = largest(here_.u);
-  here_.does = here_.missed <= met && (cuts_.empty() || worst <= -options_.margin / 2);
-  history_.push_back({here_.missed, here_.largest, problem_.value(outcome.moments),
-                      static_cast<int>(cuts_.size())});
+  const double shrunk = options_.least_determinant - determinants_.least(here_.u);
+  here_.does = here_.missed <= met && worst <= -options_.margin / 2 && shrunk <= 0;
+  here_.falls_short = std::max({here_.missed, worst + options_.margin / 2, 0.01 * shrunk});
+  history_.push_back(
+      {here_.missed, here_.largest, problem_.value(outcome.moments), static_cast<int>(cuts_.size())});
   control_.tell(fmt::format("deform: step {}, missed by {:.4f}, moved by {:.1f} %", history_.size(),
                             here_.missed, 100 * here_.largest / side_));
 }
@@ -225,22 +232,23 @@ Eigen::MatrixXd Search::energy() const {
   return square;
 }
 
-/// What is displaced most counts most: the p-norm as a sum of squares with weights. [iteratively reweighted
-/// least squares]
-void Search::set_emphasis(double power) {
-  if (power <= 2 || here_.largest <= 0) return;
-  Eigen::MatrixX3d d = spread_rows_ * here_.u;
-  if (!options_.held) d.rowwise() -= middle(d);
-  const Eigen::VectorXd share = d.rowwise().norm() / d.rowwise().norm().maxCoeff();
-  const Eigen::VectorXd wanted = share.array().pow(power - 2).max(1e-4);
-  emphasis_ = (emphasis_.array() * wanted.array()).sqrt();  // half of the way
+/// What is displaced most counts most: the p-norm of the displacements as a sum of squares whose weights are
+/// their powers of p - 2. From square to square they go a part of the way, for all of it overshoots.
+void Search::set_emphasis(const Eigen::MatrixX3d& u, double power) {
+  Eigen::MatrixX3d d = spread_rows_ * u;
+  if (!options_.held) d.rowwise() -= Eigen::RowVector3d(emphasis_.transpose() * d / emphasis_.sum());
+  const Eigen::VectorXd size = d.rowwise().norm();
+  if (!(size.maxCoeff() > 0)) return;
+  const Eigen::VectorXd wanted = (size / size.maxCoeff()).array().pow(power - 2).max(1e-6);
+  const double part = 1.5 / (power - 1);
+  emphasis_ = emphasis_.array().pow(1 - part) * wanted.array().pow(part);
   emphasis_ /= emphasis_.maxCoeff();
 }
 
-/// A body on its lowest point stays on it.
-void Search::add_dips(HandleRows& rows) const {
+/// A body on its lowest point stays on it: rows for what is lowest at u.
+void Search::add_dips(HandleRows& rows, const Eigen::MatrixX3d& u) const {
   if (!rests_) return;
-  const Eigen::MatrixX3d d = motion_.displacement(here_.u);
+  const Eigen::MatrixX3d d = motion_.displacement(u);
   std::map<std::array<int, 2>, std::pair<double, Eigen::Index>> lowest;  // one a cell of the ground
   const double floor = problem_.anchor()[2], near = 0.1 * side_, cell = side_ / 20;
   for (std::size_t i = 0; i < body_.local.vertices.size(); ++i) {
@@ -261,54 +269,62 @@ void Search::add_dips(HandleRows& rows) const {
   }
 }
 
-void Search::add_determinants(HandleRows& rows) const {
+/// Rows, linear about here, for where space is shrunk most here or at u.
+void Search::add_determinants(HandleRows& rows, const Eigen::MatrixX3d& u) const {
   std::vector<std::pair<double, std::size_t>> small;
   for (std::size_t i = 0; i < determinants_.size(); ++i)
-    if (const double at = determinants_.at(i, here_.u); at < options_.least_determinant + 0.25)
+    if (const double at = std::min(determinants_.at(i, here_.u), determinants_.at(i, u));
+        at < options_.least_determinant + 0.2)
       small.emplace_back(at, i);
-  constexpr std::size_t most = 50;
+  constexpr std::size_t most = 150;
   std::ranges::sort(small);
   if (small.size() > most) small.resize(most);
   for (const auto& [at, i] : small) {
     const Eigen::MatrixX3d slope = determinants_.gradient(i, here_.u);
-    rows.add(-slope, at - options_.least_determinant - 0.02 - slope.cwiseProduct(here_.u).sum());
+    rows.add(-slope, determinants_.at(i, here_.u) - options_.least_determinant - 0.02 -
+                         slope.cwiseProduct(here_.u).sum());
   }
 }
 
-void Search::step() {
-  HandleRows rows = cut_rows_;
-  add_dips(rows);
-  add_determinants(rows);
+/// @param most  as far as any vertex goes
+void Search::step(double most) {
   constexpr double penalty = 1e3;
+  static const int rounds = getenv("ROUNDS") ? atoi(getenv("ROUNDS")) : 4;
+  static const double power = getenv("POWER") ? atof(getenv("POWER")) : 12;
   const Eigen::MatrixX3d nil = Eigen::MatrixX3d::Zero(motion_.handles(), 3);
-  const Eigen::MatrixX3d to = nearest_point(energy(), nil, nil, rows, penalty);
-  const double far = motion_.displacement(to - here_.u).rowwise().norm().maxCoeff();
-  here_.u += std::min(1.0, most_of_step * side_ / std::max(far, 1e-300)) * (to - here_.u);
+  Eigen::MatrixX3d to = here_.u;
+  for (int round = 0; round < rounds; ++round) {
+    HandleRows rows = cut_rows_;
+    add_dips(rows, to);
+    add_determinants(rows, to);
+    to = nearest_point(energy(), nil, nil, rows, penalty);
+    const double far = motion_.displacement(to - here_.u).rowwise().norm().maxCoeff();
+    to = here_.u + std::min(1.0, most / std::max(far, 1e-300)) * (to - here_.u);
+    set_emphasis(to, power);
+  }
+  here_.u = to;
 }
 
 bool Search::reach(bool also, int most_steps) {
   best_.reset();
-  double power = 2;
-  int since = 0;
+  double most = most_of_step * side_, least_short = infinity;
+  int in_vain = 0;
   for (int i = 0; i < most_steps; ++i) {
     look(also);
-    if (here_.does) {
-      if (!best_ || here_.largest < 0.995 * best_->largest)
-        since = 0;
-      if (!best_ || here_.largest < best_->largest) best_ = here_;
-      power = power == 2 ? 8 : power;
+    if (here_.does && (!best_ || here_.largest < best_->largest)) {
+      if (best_ && here_.largest > 0.998 * best_->largest) most /= 2;
+      best_ = here_;
+    } else if (best_) {
+      most /= 1.5;
+    } else if (here_.falls_short > least_short) {
+      most = std::max(most / 1.5, 0.25 * most_of_step * side_);  // it goes to and fro
     }
-    if (best_) {
-      if (++since > 5) {
-        since = 0;
-        if (power >= 24) break;
-        power = power < 16 ? 16 : 24;
-      }
-      set_emphasis(power);
-    } else if (here_.largest > 0.4 * side_) {
-      break;  // that is another body
-    }
-    step();
+    in_vain = here_.falls_short > 0.95 * least_short ? in_vain + 1 : 0;
+    if (!best_ && in_vain > 12) break;
+    least_short = std::min(least_short, here_.falls_short);
+    if (most < 1e-3 * side_) break;
+    if (!best_ && here_.largest > 0.4 * side_) break;  // that is another body
+    step(most);
   }
   return best_.has_value();
 }
@@ -331,7 +347,8 @@ Deformation Search::described(const State& state, Reached reached) {
   Eigen::Index most = 0;
   result.largest = d.rowwise().norm().maxCoeff(&most);
   result.where = body_.local.vertices[static_cast<std::size_t>(most)];
-  result.volume = (reference::mesh_moments(result.local).value / reference::mesh_moments(body_.local).value[S1])[S1];
+  result.volume =
+      (reference::mesh_moments(result.local).value / reference::mesh_moments(body_.local).value[S1])[S1];
   result.least_determinant = determinants_.least(state.u);
   result.missed = reached == Reached::nothing ? state.missed : 0;
   result.history = history_;
@@ -355,9 +372,7 @@ Deformation Search::run() {
 }  // namespace
 
 std::string_view to_string(Reached reached) {
-  return reached == Reached::all           ? "all"
-         : reached == Reached::constraints ? "constraints"
-                                           : "nothing";
+  return reached == Reached::all ? "all" : reached == Reached::constraints ? "constraints" : "nothing";
 }
 
 Deformation deform(const Body& body, const Problem& problem, const ShapeRays& rays,

@@ -14,8 +14,7 @@ namespace kreisel::core {
 ShapeRays shape_rays(const Body& body, const GridSpec& spec, const Wall& wall, double room) {
   Grid grid = make_grid(bounding_box(body.local), spec);
   const double thick = in_body_units(wall, body, grid);
-  const int more =
-      static_cast<int>(std::ceil(room * bounding_box(body.local).extent().maxCoeff() / grid.h));
+  const int more = static_cast<int>(std::ceil(room * bounding_box(body.local).extent().maxCoeff() / grid.h));
   for (int a = 0; a < 3; ++a) {
     grid.n[static_cast<std::size_t>(a)] += 2 * more;
     grid.origin[a] -= more * grid.h;
@@ -70,10 +69,10 @@ double Shape::least(const Moments& q) const {
   return mass_.fixed.dot(q) + mass_.contrast * quadric_->oracle()->support(0, q, false).value;
 }
 
-std::vector<Vec3> Shape::gradient_of_least(const Moments& q) const {
-  std::vector<Vec3> gradient = reference::mesh_moments_gradient(body_.local, q);
+std::vector<Vec3> Shape::gradient_of_least(const Moments& q, const std::vector<InnerPiece>& inner) const {
+  std::vector<Vec3> gradient = mesh_moments_gradient(body_.local, q, device_);
   const double light = std::min(body_.interior_density, body_.void_density) / body_.density;
-  for (const InnerPiece& piece : inner()) {
+  for (const InnerPiece& piece : inner) {
     const double at = quadric_value(q, piece.at);
     const double weight = ((light - 1) * at + mass_.contrast * std::min(at, 0.0)) * piece.area;
     for (std::size_t k = 0; k < 3; ++k)

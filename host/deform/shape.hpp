@@ -12,7 +12,7 @@ namespace kreisel::core {
 
 /// Over which rays shapes of one body are compared.
 struct ShapeRays {
-  Grid grid;  ///< with room for the body to grow
+  Grid grid;    ///< with room for the body to grow
   double wall;  ///< body units
 };
 /// @param room  by how much the body may grow on every side, in longest sides
@@ -29,6 +29,7 @@ class Shape {
   [[nodiscard]] const TriangleMesh& mesh() const { return body_.local; }
   [[nodiscard]] const Body& body() const { return body_; }
   [[nodiscard]] const MassModel& mass() const { return mass_; }
+  [[nodiscard]] const ExactColumns& domain() const { return domain_; }
   [[nodiscard]] Task task(const Problem& problem, std::stop_token stop = {}) const {
     return {problem, *quadric_, mass_, device_, std::move(stop)};
   }
@@ -39,7 +40,12 @@ class Shape {
   ///     dh = int_skin q v . n + int_inner [(light - 1) q + contrast min(q, 0)] n . v(foot)
   ///
   /// with densities in those of the shell. [docs/deformation.md]
-  [[nodiscard]] std::vector<Vec3> gradient_of_least(const Moments& q) const;
+  [[nodiscard]] std::vector<Vec3> gradient_of_least(const Moments& q) const {
+    return gradient_of_least(q, inner());
+  }
+  /// The same with other pieces of the interior's boundary: of its rays alone, say.
+  [[nodiscard]] std::vector<Vec3> gradient_of_least(const Moments& q,
+                                                    const std::vector<InnerPiece>& inner) const;
 
  private:
   [[nodiscard]] const std::vector<InnerPiece>& inner() const;

@@ -62,10 +62,13 @@ std::unique_ptr<Held> kept(const std::string& text, const Frame& frame, double s
 std::shared_ptr<const Held> held_of(const Stages& stages, const DeformSpec& spec, double side) {
   std::vector<std::unique_ptr<Held>> parts;
   for (const std::string& keep : spec.keep) parts.push_back(kept(keep, stages.body->frame, side));
-  if (const auto height = stages.problem->fixed_below())
-    parts.push_back(held_below(*height, blend * side));
+  if (const auto height = stages.problem->fixed_below()) parts.push_back(held_below(*height, blend * side));
   if (parts.empty()) return nullptr;
-  return held_together(std::move(parts));
+  std::shared_ptr<const Held> held = held_together(std::move(parts));
+  if (std::ranges::all_of(stages.body->local.vertices, [&](const Vec3& v) { return held->at(v).value == 0; }))
+    throw InputError(fmt::format("--keep {} holds all of the body; expected something that may move",
+                                 fmt::join(spec.keep, ";")));
+  return held;
 }
 
 }  // namespace
@@ -143,8 +146,8 @@ Deformed deformed(const Stages& stages, const RunConfig& question, const Control
   if (asked.settings.contains("problem.point"))
     asked.settings["problem.point"] = field_text::text_of(body.frame.to_model(found.anchor));
   if (const auto water = stages.problem->water())
-    asked.settings["problem.draft"] = fmt::format(
-        "{:.17g}mm", (water->surface - bounding_box(found.local).lo[2]) * length);
+    asked.settings["problem.draft"] =
+        fmt::format("{:.17g}mm", (water->surface - bounding_box(found.local).lo[2]) * length);
   return result;
 }
 

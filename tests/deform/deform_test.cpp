@@ -1,0 +1,156 @@
+#include "deform/deform.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "deform/bodies.hpp"
+#include "error.hpp"
+#include "problem/problem.hpp"
+#include "refusal.hpp"
+#include "session/deformed.hpp"
+#include "session/solved_run.hpp"
+#include "test_device.hpp"
+
+namespace kreisel::core {
+namespace THIS_FILE {
+
+/// What is leaning so that no interior lets it spin on its lowest point.
+std::shared_ptr<const Source> leaning() {
+  return std::make_shared<const Source>(source_of(leaning_ellipsoid({14, 16, 30}, 50, 40)));
+}
+
+RunConfig question(const char* problem, const char* deform) {
+  RunConfig config;
+  config.problem = problem;
+  config.formulation = "quadric";
+  config.grid.resolution = 32;
+  config.wall = {1.5, Wall::millimetres};
+  if (deform) set_field(config, "deform", deform);
+  return config;
+}
+
+std::shared_ptr<device::Device> shared_device() { return {std::shared_ptr<void>(), &test_device()}; }
+
+double mirror_error(const TriangleMesh& mesh) {
+  double worst = 0;
+  for (const Vec3& v : mesh.vertices) {
+    double nearest = 1e9;
+    for (const Vec3& w : mesh.vertices) nearest = std::min(nearest, (Vec3(v[0], -v[1], v[2]) - w).norm());
+    worst = std::max(worst, nearest);
+  }
+  return worst;
+}
+
+TEST(Deform, MakesABodySpinThatNoInteriorLetsSpin) {
+  Session session(leaning(), shared_device());
+  SolvedRun as_it_is(session, question("spin", nullptr));
+  as_it_is.solve();
+  ASSERT_EQ(as_it_is.result.outcome.termination, Termination::infeasible);
+
+  SolvedRun run(session, question("spin", "least"));
+  run.solve();
+  ASSERT_TRUE(run.result.deformation);
+  const DeformationReport& report = *run.result.deformation;
+  EXPECT_EQ(report.reached, Reached::all);
+  EXPECT_EQ(run.result.outcome.termination, Termination::optimal);
+  EXPECT_TRUE(run.problem().verify(run.result.outcome.moments, run.result.length_mm).ok);
+  EXPECT_GT(report.largest_percent, 1);
+  EXPECT_LT(report.largest_percent, 20);
+  EXPECT_GE(report.least_determinant, 0.5);
+  // The largest displacement is that of the two meshes, up to the translation between them.
+  Vec3 lo = Vec3::Constant(1e9), hi = -lo;
+  for (std::size_t i = 0; i < report.before.vertices.size(); ++i) {
+    const Vec3 d = run.body().mesh.vertices[i] - report.before.vertices[i];
+    lo = lo.cwiseMin(d);
+    hi = hi.cwiseMax(d);
+  }
+  double largest = 0;
+  for (std::size_t i = 0; i < report.before.vertices.size(); ++i)
+    largest =
+        std::max(largest, (run.body().mesh.vertices[i] - report.before.vertices[i] - (lo + hi) / 2).norm());
+  EXPECT_NEAR(largest, report.largest_mm, 1e-9 * largest);
+  // It is its own mirror image, and so is what it becomes, but for where the vertices lie that stand for
+  // others.
+  EXPECT_LT(mirror_error(run.body().mesh), 0.02 * 60);
+}
+
+TEST(Deform, LeavesABodyAsItIsThatAnInteriorLetsSpin) {
+  const auto round = std::make_shared<const Source>(source_of(leaning_ellipsoid({25, 25, 15}, 0, 40)));
+  Session session(round, shared_device());
+  SolvedRun run(session, question("spin", "least"));
+  run.solve();
+  EXPECT_EQ(run.result.deformation->reached, Reached::all);
+  EXPECT_EQ(run.result.deformation->largest_mm, 0);
+  for (std::size_t i = 0; i < round->mesh.vertices.size(); ++i)
+    EXPECT_LT((run.body().mesh.vertices[i] - round->mesh.vertices[i]).norm(), 1e-12 * 60);
+}
+
+TEST(Deform, LeavesWhatIsKeptExactlyWhereItIs) {
+  Session session(leaning(), shared_device());
+  RunConfig config = question("spin", "least");
+  set_field(config, "keep", "15,0,20,8");
+  SolvedRun run(session, config);
+  const DeformationReport& report = *run.result.deformation;
+  ASSERT_NE(report.reached, Reached::nothing);
+  int kept = 0;
+  double moved = 0;
+  for (std::size_t i = 0; i < report.before.vertices.size(); ++i) {
+    const Vec3& before = report.before.vertices[i];
+    const double by = (run.body().mesh.vertices[i] - before).norm();
+    moved = std::max(moved, by);
+    if ((before - Vec3(15, 0, 20)).norm() > 8) continue;
+    ++kept;
+    EXPECT_LT(by, 1e-12 * 60);
+  }
+  EXPECT_GT(kept, 5);
+  EXPECT_GT(moved, 0.5);
+}
+
+TEST(Deform, MakesABodyStandAndLeavesItsBaseAsItIs) {
+  // A leaning box, whose centre of mass is beside its base.
+  TriangleMesh box = box_mesh({-8, -8, 0}, {8, 8, 50});
+  for (Vec3& v : box.vertices) v[0] += 0.75 * v[2];
+  const auto tower = std::make_shared<const Source>(source_of(box));
+  Session session(tower, shared_device());
+  RunConfig config = question("stand", nullptr);
+  config.settings["problem.target"] = "inside";
+  SolvedRun as_it_is(session, config);
+  as_it_is.solve();
+  ASSERT_EQ(as_it_is.result.outcome.termination, Termination::infeasible);
+  set_field(config, "deform", "least");
+  SolvedRun run(session, config);
+  run.solve();
+  EXPECT_EQ(run.result.deformation->reached, Reached::all) << run.result.deformation->text();
+  EXPECT_TRUE(run.problem().verify(run.result.outcome.moments, run.result.length_mm).ok);
+  const TriangleMesh& before = run.result.deformation->before;
+  for (std::size_t i = 0; i < before.vertices.size(); ++i)
+    if (before.vertices[i][2] < 1e-9)
+      EXPECT_LT((run.body().mesh.vertices[i] - before.vertices[i]).norm(), 1e-12 * 60);
+}
+
+TEST(Deform, RefusesWhatItCannotDo) {
+  Session session(leaning(), shared_device());
+  RunConfig kept = question("spin", nullptr);
+  set_field(kept, "keep", "0,0,0,1");
+  expect_refusal([&] { SolvedRun(session, kept); }, "--keep", {"--deform"});
+  RunConfig rays = question("spin", "least");
+  rays.formulation = "rayrep";
+  expect_refusal([&] { SolvedRun(session, rays); }, "--deform", {"quadric"});
+  RunConfig ball = question("spin", "least");
+  set_field(ball, "keep", "0,0,0,-1");
+  expect_refusal([&] { SolvedRun(session, ball); }, "--keep", {"x,y,z,r"});
+  RunConfig config = question("spin", nullptr);
+  for (const char* text : {"0%", "-3%", "60%", "much", ""})
+    expect_refusal([&] { set_field(config, "deform", text); }, "deform", {"least"});
+}
+
+TEST(Deform, WhatIsAllKeptCannotBeDeformed) {
+  Session session(leaning(), shared_device());
+  RunConfig config = question("spin", "least");
+  set_field(config, "keep", "0,0,0,100");
+  expect_refusal([&] { SolvedRun(session, config); }, "--keep", {"all of the body"});
+}
+
+}  // namespace THIS_FILE
+}  // namespace kreisel::core
