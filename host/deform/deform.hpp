@@ -8,21 +8,19 @@
 
 #include "control.hpp"
 #include "deform/held.hpp"
+#include "deform/least_move.hpp"
 #include "deform/shape.hpp"
 
 namespace kreisel::core {
 
-/// How far a body may be deformed, and how.
+/// How far a body may be deformed, and how. Body units.
 struct DeformOptions {
-  /// The largest displacement allowed, body units: the best objective within it. Nothing: as little as does.
+  /// The largest displacement allowed: the best objective within it. Nothing: as little as does.
   std::optional<double> within;
-  int spans = 4;  ///< of the lattice, along the longest side
-  /// Of the motion's derivative: how much smaller a piece of space may become.
-  double least_determinant = 0.5;
-  /// By how much more than met constraints must be to meet on another grid, and as meshes; body units.
-  double margin = 5e-3;
-  double bending = 0.02;             ///< weight of bending beside the displacement
-  std::shared_ptr<const Held> held;  ///< what stays as it is; nothing: nothing does
+  int spans = 4;          ///< of the lattice, along the longest side
+  double margin = 5e-3;   ///< by which constraints must be met to meet on another grid, and as meshes
+  MoveOptions move = {};  ///< `held` follows from the next
+  std::shared_ptr<const Held> held = {};  ///< what stays as it is; nothing: nothing does
 };
 
 /// What a deformation reaches: nothing of what is asked; the constraints; or all that verify() asks.
@@ -33,10 +31,9 @@ enum class Reached { nothing, constraints, all };
 
 /// One step of the search. Body units.
 struct DeformStep {
-  double missed = 0;   ///< the least by which any interior misses what is asked
-  double largest = 0;  ///< displacement
-  double objective = 0;
-  int cuts = 0;
+  double missed = 0;     ///< the least by which any interior misses what is asked
+  double largest = 0;    ///< displacement
+  std::size_t cuts = 0;  ///< quadrics that separated a shape so far
 };
 
 /// Body frame and units of the undeformed body.
@@ -48,7 +45,9 @@ struct Deformation {
   Vec3 where = Vec3::Zero();   ///< of that vertex, undeformed
   double volume = 1;           ///< of the undeformed one
   double least_determinant = 1;
-  double missed = 0;  ///< where nothing is reached: by how much at the least
+  double missed = 0;          ///< by the interior that misses least; 0 where something is reached
+  bool too_far = false;       ///< it would do, but is farther than allowed
+  std::size_t crossings = 0;  ///< pairs of triangles that run through each other; then nothing is reached
   std::vector<DeformStep> history;
   double seconds = 0;
 };

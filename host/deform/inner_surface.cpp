@@ -32,8 +32,7 @@ template <class Area>
 void add_ends(std::vector<InnerPiece>& pieces, const TriangleMesh& skin, const SurfaceDistance& distance,
               double wall, const std::vector<Vec3>& ends, int axis, const Area& area) {
   std::vector<std::optional<InnerPiece>> found(ends.size());
-  parallel_for(ends.size(), 256,
-               [&](std::size_t i) { found[i] = piece_at(skin, distance, ends[i], wall); });
+  parallel_for(ends.size(), 256, [&](std::size_t i) { found[i] = piece_at(skin, distance, ends[i], wall); });
   for (auto& piece : found) {
     if (!piece) continue;
     piece->area = area(std::abs(piece->normal[axis]));

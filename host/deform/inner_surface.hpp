@@ -11,13 +11,13 @@
 namespace kreisel::core {
 
 /// A piece of the interior's boundary. As the skin moves with velocity v, the piece moves outward by
-/// normal . v(foot), for it stays as deep as the wall: |y - x| = wall at the nearest point x of the skin, also
-/// where that lies on an edge or a corner. [docs/deformation.md]
+/// normal . v(foot), for it stays as deep as the wall: |y - x| = wall at the nearest point x of the skin,
+/// also where that lies on an edge or a corner. [docs/deformation.md]
 struct InnerPiece {
-  Vec3 at;                         ///< y
-  Vec3 normal;                     ///< (x - y) / |x - y|, out of the interior
-  double area;                     ///< that it stands for
-  Triangle corners;                ///< of the skin's triangle that x lies in, by vertex
+  Vec3 at;                            ///< y
+  Vec3 normal;                        ///< (x - y) / |x - y|, out of the interior
+  double area;                        ///< that it stands for
+  Triangle corners;                   ///< of the skin's triangle that x lies in, by vertex
   std::array<double, 3> barycentric;  ///< of x in it
 };
 

@@ -5,12 +5,15 @@
 
 namespace kreisel::core {
 
-void HandleRows::add(const Eigen::MatrixX3d& a, double b) {
-  const Eigen::Index row = size();
-  matrix.conservativeResize(row + 1, a.size());
-  matrix.row(row) = a.reshaped().transpose();
-  bound.conservativeResize(row + 1);
-  bound[row] = b;
+Eigen::MatrixXd HandleRows::columns() const {
+  if (rows_.empty()) return {};
+  Eigen::MatrixXd all(rows_.front().size(), size());
+  for (Eigen::Index i = 0; i < size(); ++i) all.col(i) = rows_[static_cast<std::size_t>(i)];
+  return all;
+}
+
+Eigen::VectorXd HandleRows::bounds() const {
+  return Eigen::Map<const Eigen::VectorXd>(bounds_.data(), size());
 }
 
 Eigen::MatrixX3d nearest_point(const Eigen::MatrixXd& energy, const Eigen::MatrixX3d& centre,
@@ -20,15 +23,15 @@ Eigen::MatrixX3d nearest_point(const Eigen::MatrixXd& energy, const Eigen::Matri
   const Eigen::MatrixX3d free = centre - inverse.solve(slope);
   if (count == 0) return free;
   // Rows are scaled to one length in the metric, so that a sweep treats them alike.
+  const Eigen::MatrixXd columns = rows.columns();
   Eigen::MatrixXd spread(3 * handles, count);  // energy^-1 rows^T
   for (int axis = 0; axis < 3; ++axis)
-    spread.middleRows(axis * handles, handles) =
-        inverse.solve(rows.matrix.middleCols(axis * handles, handles).transpose());
-  const Eigen::MatrixXd gram = rows.matrix * spread;
-  const Eigen::VectorXd missed = rows.matrix * free.reshaped() - rows.bound;
+    spread.middleRows(axis * handles, handles) = inverse.solve(columns.middleRows(axis * handles, handles));
+  const Eigen::MatrixXd gram = columns.transpose() * spread;
+  const Eigen::VectorXd missed = columns.transpose() * free.reshaped() - rows.bounds();
   Eigen::VectorXd lambda = Eigen::VectorXd::Zero(count), slack = missed;  // missed - gram lambda
   // Gauss-Seidel, projected: the dual is convex, so it cannot but arrive; a step is worth a row.
-  constexpr int most_sweeps = 4000;
+  constexpr int most_sweeps = 1000;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double moved = 0;
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -40,7 +43,7 @@ Eigen::MatrixX3d nearest_point(const Eigen::MatrixXd& energy, const Eigen::Matri
       slack -= by * gram.col(i);
       moved = std::max(moved, std::abs(by) * std::sqrt(gram(i, i)));
     }
-    if (moved < 1e-9) break;
+    if (moved < 1e-7) break;
   }
   const Eigen::VectorXd step = spread * lambda;
   return free - Eigen::Map<const Eigen::MatrixX3d>(step.data(), handles, 3);

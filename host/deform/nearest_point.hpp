@@ -2,16 +2,26 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <vector>
 
 namespace kreisel::core {
 
 /// Rows a . u <= b on all displacements of K handles, u = (x of all, y of all, z of all).
-struct HandleRows {
-  Eigen::MatrixXd matrix = Eigen::MatrixXd(0, 0);  ///< (rows, 3 K)
-  Eigen::VectorXd bound;
+class HandleRows {
+ public:
+  /// @param a  (K, 3)
+  void add(const Eigen::MatrixX3d& a, double b) {
+    rows_.emplace_back(a.reshaped());
+    bounds_.push_back(b);
+  }
+  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(rows_.size()); }
+  /// (3 K, rows)
+  [[nodiscard]] Eigen::MatrixXd columns() const;
+  [[nodiscard]] Eigen::VectorXd bounds() const;
 
-  void add(const Eigen::MatrixX3d& a, double b);
-  [[nodiscard]] Eigen::Index size() const { return bound.size(); }
+ private:
+  std::vector<Eigen::VectorXd> rows_;
+  std::vector<double> bounds_;
 };
 
 /// Minimises |u - centre|^2 / 2 in the metric of `energy`, the same along each axis, plus slope . u, where

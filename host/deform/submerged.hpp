@@ -15,6 +15,7 @@ namespace kreisel::core {
 [[nodiscard]] Moments submerged(const TriangleMesh& mesh, double surface);
 
 /// The derivative of q . submerged() in every vertex, for a q of 1, x and y alone; the plane stays.
-[[nodiscard]] std::vector<Vec3> submerged_gradient(const TriangleMesh& mesh, double surface, const Moments& q);
+[[nodiscard]] std::vector<Vec3> submerged_gradient(const TriangleMesh& mesh, double surface,
+                                                   const Moments& q);
 
 }  // namespace kreisel::core

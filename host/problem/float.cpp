@@ -42,6 +42,16 @@ Float::Float(const Draft& draft) : draft_(draft) {
 
 Moments Float::gradient(const Moments&) const { return Moments::Unit(SZ) / draft_.mass; }
 
+LinearConstraints Float::also_asked(const Moments&) const {
+  constexpr double spare = 0.01;
+  LinearConstraints rows;
+  rows.matrix = Moments::Unit(SZ).transpose();
+  rows.lower.setConstant(1, -std::numeric_limits<double>::infinity());
+  rows.upper.setConstant(1, (draft_.water.metacentre() - spare) * draft_.mass - draft_.load[SZ]);
+  rows.names = {"cz below the metacentre"};
+  return rows;
+}
+
 std::string Float::scope(const MassModel& mass) const {
   const double own = draft_.mass - draft_.load[S1];  // without what it carries
   if (!draft_.one_material) {

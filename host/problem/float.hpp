@@ -45,6 +45,9 @@ class Float final : public Problem {
   [[nodiscard]] Matrix10 hessian(const Moments&) const override { return Matrix10::Zero(); }
   [[nodiscard]] const LinearConstraints& constraints() const override { return constraints_; }
 
+  /// That the centre of mass is below the metacentre, of the body as it is, with a hundredth of a length to
+  /// spare.
+  [[nodiscard]] LinearConstraints also_asked(const Moments& s) const override;
   /// Nothing where a stable draft is sought: that depends on the waterplane, too.
   [[nodiscard]] std::optional<Water> water() const override {
     if (draft_.sought) return std::nullopt;

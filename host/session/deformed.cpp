@@ -21,7 +21,15 @@ namespace {
 constexpr double longest_face = 0.05;  ///< of the body: longer ones bend in steps that show
 constexpr double blend = 0.15;         ///< of the body, over which a motion fades in around what is kept
 constexpr double room = 0.25;          ///< of the body, that it may grow by on every side
-constexpr int most_cells = 64;         ///< the search's own: what is met with a margin is met on others
+
+/// Of the search: what is met with a margin there is met on finer grids. Slender bodies need more, for a flat
+/// side that moves across a layer of rays takes all of it at once.
+int cells_for(const TriangleMesh& mesh, int asked) {
+  constexpr int usual = 64, across = 32, most = 128;
+  const Vec3 sides = bounding_box(mesh).extent();
+  const int slender = static_cast<int>(across * sides.maxCoeff() / sides.minCoeff());
+  return std::min(std::max(asked, slender), std::clamp(slender, usual, most));
+}
 
 void require_deformable(const Stages& stages, const RunConfig& question) {
   const auto refuse = [](const std::string& what, const char* expected) {
@@ -76,6 +84,14 @@ std::shared_ptr<const Held> held_of(const Stages& stages, const DeformSpec& spec
 std::string DeformationReport::text() const {
   switch (reached) {
     case Reached::nothing:
+      if (too_far)
+        return fmt::format(
+            "the least deformation found is {:.3g} mm ({:.3g} % of the longest side), more than allowed",
+            largest_mm, largest_percent);
+      if (crossings > 0)
+        return fmt::format(
+            "the deformation found would make its surface run through itself ({} pairs of triangles)",
+            crossings);
       return fmt::format("no deformation was found that does it ({} steps)", history.size());
     case Reached::constraints:
     case Reached::all:
@@ -98,12 +114,15 @@ Deformed deformed(const Stages& stages, const RunConfig& question, const Control
   split_edges(body.local, [most = longest_face * side](const Vec3& a, const Vec3& b) {
     return (a - b).squaredNorm() > most * most;
   });
+  if (question.deform.within && stages.problem->goal() == Goal::margin)
+    throw InputError(fmt::format("--deform {}% for {} with a margin as its target; expected --deform least",
+                                 *question.deform.within, stages.problem->name()));
   DeformOptions options;
   options.held = held_of(stages, question.deform, side);
   if (question.deform.within) options.within = *question.deform.within / 100 * side;
   GridSpec grid = question.grid;
   grid.cells.reset();
-  grid.resolution = std::min(grid.resolution, most_cells);
+  grid.resolution = cells_for(body.local, question.grid.resolution);
   const double wall = stages.domain->wall() * length;
   const ShapeRays rays = shape_rays(body, grid, {wall, Wall::millimetres}, room);
   const Deformation found = deform(body, *stages.problem, rays, options, *stages.device, control);
@@ -118,6 +137,8 @@ Deformed deformed(const Stages& stages, const RunConfig& question, const Control
   report.volume_after = report.volume_before * found.volume;
   report.least_determinant = found.least_determinant;
   report.missed = found.missed;
+  report.too_far = found.too_far;
+  report.crossings = found.crossings;
   report.split = body.local.triangles.size() - triangles;
   report.history = found.history;
   report.seconds = found.seconds;

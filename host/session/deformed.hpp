@@ -11,8 +11,8 @@ namespace kreisel::core {
 /// A deformed body, with the question as it is asked of it.
 struct Deformed {
   DeformationReport report;
-  RunConfig question;                    ///< with nothing left to deform
-  std::shared_ptr<const Source> solid;   ///< nothing: it stays as it was, for nothing was reached
+  RunConfig question;                   ///< with nothing left to deform
+  std::shared_ptr<const Source> solid;  ///< nothing: it stays as it was, for nothing was reached
 };
 
 /// Deforms the body of a question as its DeformSpec says.

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "parse.hpp"
-#include "solve/relaxed.hpp"
+#include "solve/with_rows.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -27,7 +27,7 @@ struct LeastMisses {
 
 LeastMisses least_misses(const SolverEntry& solver, const Task& task, const SolverOptions& options,
                          const std::vector<Eigen::Index>& rows) {
-  const Relaxed relaxed(task.problem, some_of(task.problem.constraints(), rows));
+  const WithRows relaxed(task.problem, some_of(task.problem.constraints(), rows), Goal::margin);
   const Outcome best = solver.solve({relaxed, task.formulation, task.mass, task.device, task.stop}, options);
   const LinearConstraints& c = relaxed.constraints();
   const Eigen::VectorXd value = c.matrix * best.moments;

@@ -1,5 +1,6 @@
 #include "deform/deform.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,9 +71,28 @@ TEST(Deform, MakesABodySpinThatNoInteriorLetsSpin) {
     largest =
         std::max(largest, (run.body().mesh.vertices[i] - report.before.vertices[i] - (lo + hi) / 2).norm());
   EXPECT_NEAR(largest, report.largest_mm, 1e-9 * largest);
-  // It is its own mirror image, and so is what it becomes, but for where the vertices lie that stand for
-  // others.
-  EXPECT_LT(mirror_error(run.body().mesh), 0.02 * 60);
+  // It is its own mirror image, and so is what it becomes, nearly: a quadric that separates to one side may
+  // come without the one that separates to the other.
+  EXPECT_LT(mirror_error(run.body().mesh), 0.03 * 60);
+}
+
+TEST(Deform, WithinALimitMakesTheObjectiveBetter) {
+  Session session(leaning(), shared_device());
+  SolvedRun least(session, question("spin", "least"));
+  least.solve();
+  const double far = least.result.deformation->largest_percent;
+  RunConfig more = question("spin", fmt::format("{}%", 1.3 * far).c_str());
+  SolvedRun run(session, more);
+  run.solve();
+  EXPECT_EQ(run.result.deformation->reached, Reached::all);
+  EXPECT_LE(run.result.deformation->largest_percent, 1.3 * far * (1 + 1e-9));
+  EXPECT_LT(run.result.outcome.objective, 0.9 * least.result.outcome.objective);
+
+  SolvedRun less(session, question("spin", fmt::format("{}%", 0.3 * far).c_str()));
+  less.solve();
+  EXPECT_EQ(less.result.deformation->reached, Reached::nothing);
+  EXPECT_TRUE(less.result.deformation->too_far);
+  EXPECT_EQ(less.result.outcome.termination, Termination::infeasible);
 }
 
 TEST(Deform, LeavesABodyAsItIsThatAnInteriorLetsSpin) {
@@ -124,9 +144,11 @@ TEST(Deform, MakesABodyStandAndLeavesItsBaseAsItIs) {
   EXPECT_EQ(run.result.deformation->reached, Reached::all) << run.result.deformation->text();
   EXPECT_TRUE(run.problem().verify(run.result.outcome.moments, run.result.length_mm).ok);
   const TriangleMesh& before = run.result.deformation->before;
+  ASSERT_EQ(before.vertices.size(), run.body().mesh.vertices.size());
   for (std::size_t i = 0; i < before.vertices.size(); ++i)
-    if (before.vertices[i][2] < 1e-9)
+    if (before.vertices[i][2] < 1e-9) {
       EXPECT_LT((run.body().mesh.vertices[i] - before.vertices[i]).norm(), 1e-12 * 60);
+    }
 }
 
 TEST(Deform, RefusesWhatItCannotDo) {

@@ -52,7 +52,9 @@ TEST(Determinants, AreThoseOfTheAffineMotion) {
   Random random(3);
   const Determinants determinants({Vec3(1, 2, 3), Vec3::Zero()}, Affine());
   const Eigen::MatrixX3d u = random_u(random, 4, 0.5);
-  const double want = (Eigen::Matrix3d::Identity() + u.bottomRows<3>().transpose()).determinant();
+  Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
+  A += u.bottomRows<3>().transpose();
+  const double want = A.determinant();
   EXPECT_NEAR(determinants.at(0, u), want, 1e-14);
   EXPECT_NEAR(determinants.least(u), want, 1e-14);
   const double h = 1e-5;
