@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "deform/motion.hpp"
+#include "deform/handle_motion.hpp"
 #include "deform/nearest_point.hpp"
 
 namespace kreisel::core {
@@ -27,7 +27,7 @@ class LeastMove {
   /// @param mesh, handles  outlive it
   LeastMove(const TriangleMesh& mesh, const Handles& handles, const Vec3& anchor, const MoveOptions& options);
 
-  [[nodiscard]] const Motion& motion() const { return motion_; }
+  [[nodiscard]] const HandleMotion& motion() const { return motion_; }
   [[nodiscard]] double longest_side() const { return side_; }
   [[nodiscard]] bool held() const { return options_.held; }
   /// Of every vertex: seen from what is held, else up to a translation.
@@ -59,7 +59,7 @@ class LeastMove {
 
   MoveOptions options_;
   double side_;
-  Motion motion_;
+  HandleMotion motion_;
   std::vector<Eigen::Index> spread_;  ///< vertices spread over the surface
   Determinants determinants_;
   std::vector<Low> low_;

@@ -53,7 +53,8 @@ LinearConstraints Separation::asked_of(const Shape& shape) const {
 }
 
 /// Of h(q), less what the water has of q.
-Eigen::MatrixX3d Separation::slope_of(const Moments& q, const Shape& shape, const Motion& motion) const {
+Eigen::MatrixX3d Separation::slope_of(const Moments& q, const Shape& shape,
+                                      const HandleMotion& motion) const {
   std::vector<Vec3> gradient = shape.gradient_of_least(q);
   if (water_) {
     const std::vector<Vec3> wet = submerged_gradient(shape.mesh(), water_->surface, q);
@@ -62,7 +63,8 @@ Eigen::MatrixX3d Separation::slope_of(const Moments& q, const Shape& shape, cons
   return motion.pulled_back(gradient);
 }
 
-Separated Separation::look(const Shape& shape, const Motion& motion, const Eigen::MatrixX3d& u, bool also) {
+Separated Separation::look(const Shape& shape, const HandleMotion& motion, const Eigen::MatrixX3d& u,
+                           bool also) {
   LinearConstraints asked = asked_of(shape);
   if (also) asked = joined(std::move(asked), problem_->also_asked(also_near_));
   const Rows rows = rows_of(asked, true);
@@ -97,7 +99,7 @@ Separated Separation::look(const Shape& shape, const Motion& motion, const Eigen
   return result;
 }
 
-std::optional<Separation::Value> Separation::value(const Shape& shape, const Motion& motion) const {
+std::optional<Separation::Value> Separation::value(const Shape& shape, const HandleMotion& motion) const {
   const SolverEntry& moment = find_solver("moment", "quadric");
   SolverOptions enough;
   enough.own = moment.read({{"tolerance", "1e-9"}});

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "deform/motion.hpp"
+#include "deform/handle_motion.hpp"
 #include "deform/nearest_point.hpp"
 #include "deform/shape.hpp"
 #include "solve/dual.hpp"
@@ -31,7 +31,7 @@ class Separation {
 
   /// @param also  what the problem asks beyond its constraints, too
   /// @param u     of the handles: the shape is motion.moved(u)
-  [[nodiscard]] Separated look(const Shape& shape, const Motion& motion, const Eigen::MatrixX3d& u,
+  [[nodiscard]] Separated look(const Shape& shape, const HandleMotion& motion, const Eigen::MatrixX3d& u,
                                bool also);
 
   /// The slope of the problem's least value over all interiors of a shape, in the handles, and that value.
@@ -40,14 +40,15 @@ class Separation {
     Eigen::MatrixX3d slope;
   };
   /// Nothing where no interior meets the constraints.
-  [[nodiscard]] std::optional<Value> value(const Shape& shape, const Motion& motion) const;
+  [[nodiscard]] std::optional<Value> value(const Shape& shape, const HandleMotion& motion) const;
 
   [[nodiscard]] std::size_t size() const { return cuts_.size(); }
   void forget() { cuts_.clear(); }
 
  private:
   [[nodiscard]] LinearConstraints asked_of(const Shape& shape) const;
-  [[nodiscard]] Eigen::MatrixX3d slope_of(const Moments& q, const Shape& shape, const Motion& motion) const;
+  [[nodiscard]] Eigen::MatrixX3d slope_of(const Moments& q, const Shape& shape,
+                                          const HandleMotion& motion) const;
 
   const Problem* problem_;
   double margin_;

@@ -16,6 +16,7 @@
 #include "fabricate/lay_flat.hpp"
 #include "fabricate/wall.hpp"
 #include "parse.hpp"
+#include "session/deformed.hpp"
 #include "session/find_pose.hpp"
 #include "session/other_poses.hpp"
 #include "stop.hpp"
@@ -238,6 +239,21 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
   return design;
 }
 
+/// The least change of shape that would help, as an option; empty where none was found, or this body's shape
+/// cannot change.
+std::string least_deformation(const SolvedRun& run, RunConfig config, const Control& control) {
+  config.deform.wanted = true;
+  try {
+    const DeformationReport found = deformed(run.stages(), config, control).report;
+    if (found.reached == Reached::nothing) return "";
+    return fmt::format("--deform least, by at most {:.3g} mm ({:.2g} % of the longest side){}",
+                       found.largest_mm, found.largest_percent,
+                       found.reached == Reached::constraints ? ", with which it balances, but no more" : "");
+  } catch (const InputError&) {
+    return "";
+  }
+}
+
 /// The question as it stands, and what would help where no interior does it.
 Design make_posed(Session& session, const DesignSpec& spec, const Control& control) {
   Design design = make_asked(session, spec, control);
@@ -250,6 +266,9 @@ Design make_posed(Session& session, const DesignSpec& spec, const Control& contr
     run.result.outcome.termination = Termination::infeasible;
     run.look_for_remedies(control);
     design.run.remedies = run.result.remedies;
+    if (!spec.config.deform.wanted && run.exact())
+      if (const std::string shape = least_deformation(run, config, control); !shape.empty())
+        design.run.remedies += (design.run.remedies.empty() ? "" : "; or ") + shape;
   }
   design.other_axes = other_poses(session, config, design.run.axis, control);
   return design;

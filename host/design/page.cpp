@@ -16,16 +16,22 @@
 namespace kreisel::core {
 namespace {
 
-/// @param origin  what places are about  @param skin  the page can hide it
-std::string surface(const TriangleMesh& mesh, const Vec3& origin, std::string_view colour,
-                    bool skin = false) {
+/// The fields of a mesh. @param origin  what places are about
+std::string geometry(const TriangleMesh& mesh, const Vec3& origin) {
   const PackedMesh small = packed(mesh);
   std::vector<std::uint8_t> bytes = small.links;
   bytes.insert(bytes.end(), small.places.begin(), small.places.end());
-  return fmt::format(
-      R"({{"colour": "{}", "skin": {}, "corners": {}, "triangles": {}, "low": [{}], "step": {}, "packed": "{}"}})",
-      colour, skin, small.corners, small.triangles, fmt::join(Vec3(small.low - origin), ", "), small.step,
-      compressed_text(bytes.data(), bytes.size()));
+  return fmt::format(R"("corners": {}, "triangles": {}, "low": [{}], "step": {}, "packed": "{}")",
+                     small.corners, small.triangles, fmt::join(Vec3(small.low - origin), ", "), small.step,
+                     compressed_text(bytes.data(), bytes.size()));
+}
+
+/// @param skin    the page can hide it
+/// @param before  the same triangles as they were before a deformation; nothing: there was none
+std::string surface(const TriangleMesh& mesh, const Vec3& origin, std::string_view colour, bool skin = false,
+                    const TriangleMesh* before = nullptr) {
+  const std::string was = before ? fmt::format(R"(, "before": {{{}}})", geometry(*before, origin)) : "";
+  return fmt::format(R"({{"colour": "{}", "skin": {}, {}{}}})", colour, skin, geometry(mesh, origin), was);
 }
 
 void replace(std::string& text, std::string_view mark, const std::string& with) {
@@ -58,8 +64,13 @@ std::string page(const std::string& bodies, const Vec3& origin, const std::strin
 
 std::string page_of(const Design& design, const std::string& three) {
   const Vec3 origin = place_of(bounding_box(design.part.outer));
-  const std::string surfaces = surface(design.part.outer, origin, "#b9c4ce", true) + ", " +
-                               surface(design.part.cavity, origin, "#7fc0b6");
+  // Packed by the same triangles, corners have the same numbers.
+  const auto& deformed = design.run.deformation;
+  const bool moved =
+      deformed && deformed->largest_mm > 0 && deformed->before.triangles == design.part.outer.triangles;
+  const std::string surfaces =
+      surface(design.part.outer, origin, "#b9c4ce", true, moved ? &deformed->before : nullptr) + ", " +
+      surface(design.part.cavity, origin, "#7fc0b6");
   return page(fmt::format(R"([{{"cap": "#e9c46a", "surfaces": [{}]}}])", surfaces), origin, to_json(design),
               three);
 }

@@ -52,6 +52,8 @@ json to_json(const DeformationReport& d) {
           {"largest_mm", d.largest_mm},
           {"largest_percent", d.largest_percent},
           {"where_mm", json_list(d.where)},
+          {"too_far", d.too_far},
+          {"crossings", d.crossings},
           {"volume_before_mm3", d.volume_before},
           {"volume_after_mm3", d.volume_after},
           {"least_determinant", d.least_determinant},

@@ -37,6 +37,17 @@ void write_history(Group& group, const std::vector<Iterate>& history) {
                 "line_search_trials"}});
 }
 
+void write_displacement(Group& group, const DeformationReport& deformation) {
+  const auto write = [&](const std::string& name, const std::vector<Vec3>& points) {
+    std::vector<double> values;
+    values.reserve(3 * points.size());
+    for (const Vec3& p : points) values.insert(values.end(), {p[0], p[1], p[2]});
+    group.write(name, values, {points.size(), 3}, {"mm", {"x", "y", "z"}});
+  };
+  write("vertices", deformation.before.vertices);
+  write("displacement", deformation.displacement);
+}
+
 namespace {
 
 void write_cells(Group& group, const std::vector<Cube>& cells) {

@@ -16,6 +16,8 @@ void write_intervals(hdf5::Group& group, const RunResult& r);
 void write_variables(hdf5::Group& group, const RunResult& r);
 
 void write_history(hdf5::Group& group, const std::vector<Iterate>& history);
+/// Every vertex of the undeformed body and where it went, mm.
+void write_displacement(hdf5::Group& group, const DeformationReport& deformation);
 
 /// Everything that the bound follows from.
 void write_proof(hdf5::Group& group, const Certificate& c);

@@ -23,6 +23,10 @@ struct Names<LocalMinimum::Answer> {
                                      LocalMinimum::Answer::undecided};
 };
 template <>
+struct Names<Reached> {
+  static constexpr Reached all[] = {Reached::nothing, Reached::constraints, Reached::all};
+};
+template <>
 struct Names<Certificate::Kind> {
   using K = Certificate::Kind;
   static constexpr std::array all = {K::linear, K::ratio, K::spin, K::yoyo, K::top, K::infeasible};
@@ -59,6 +63,12 @@ constexpr auto seconds_columns = [](auto& column, auto& s) {
   column("kernels", s.kernels);
   column("solve", s.solve);
   column("total", s.total);
+};
+
+constexpr auto deform_columns = [](auto& column, auto& step) {
+  column("missed", step.missed);
+  column("largest", step.largest);
+  column("cuts", step.cuts);
 };
 
 constexpr auto refinement_columns = [](auto& column, auto& r) {
@@ -253,6 +263,26 @@ void part_fields(F& f, R& r) {
 }
 
 template <class F, class R>
+void deformation_fields(F& f, R& r) {
+  if (!f.part("deformation/reached", "deformation", r.deformation.has_value())) return;
+  auto& d = engaged<F>(r.deformation);
+  f.value("deformation/reached", "deformation.reached", d.reached);
+  f.value("deformation/largest", "deformation.largest_mm", d.largest_mm, "mm");
+  f.value("deformation/largest_percent", "deformation.largest_percent", d.largest_percent);
+  f.value("deformation/where", "deformation.where_mm", d.where, "mm");
+  f.value("deformation/volume_before", "deformation.volume_before_mm3", d.volume_before, "mm^3");
+  f.value("deformation/volume_after", "deformation.volume_after_mm3", d.volume_after, "mm^3");
+  f.value("deformation/least_determinant", "deformation.least_determinant", d.least_determinant);
+  f.value("deformation/missed", "deformation.missed", d.missed);
+  f.value("deformation/too_far", "deformation.too_far", d.too_far);
+  f.value("deformation/crossings", "deformation.crossings", d.crossings);
+  f.value("deformation/split", "deformation.split_triangles", d.split);
+  f.value("deformation/seconds", "deformation.seconds", d.seconds, "s");
+  f.rows("deformation/history", "deformation.steps", d.history, "body units", deform_columns);
+  f.bulk("deformation", [&](hdf5::Group& group) { write_displacement(group, d); });
+}
+
+template <class F, class R>
 void certificate_fields(F& f, R& r) {
   if (!f.part("certificate/kind", "certificate", r.certificate.has_value())) {
     for (const char* name : {"bound", "gap", "boxes", "certify_seconds", "certificate_searches"})
@@ -285,6 +315,7 @@ void describe(F& f, R& r) {
   f.given("weights", weights(r.config));
   solve_fields(f, r);
   part_fields(f, r);
+  deformation_fields(f, r);
   certificate_fields(f, r);
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "deform/deform.hpp"
+#include "deform/deformation.hpp"
 
 namespace kreisel::core {
 
@@ -22,7 +22,8 @@ struct DeformationReport {
   std::size_t split = 0;      ///< triangles that were added, for faces too large to bend
   std::vector<DeformStep> history;
   double seconds = 0;
-  TriangleMesh before;  ///< with the triangles of the deformed mesh
+  TriangleMesh before;             ///< with the triangles of the deformed mesh
+  std::vector<Vec3> displacement;  ///< of its vertices
 
   /// One sentence. @param problem  its verb: "spin"
   [[nodiscard]] std::string text() const;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "body/hydrostatics.hpp"
+#include "deform/deform.hpp"
 #include "error.hpp"
 #include "mesh/make/refine.hpp"
 #include "parse.hpp"
@@ -143,33 +144,43 @@ Deformed deformed(const Stages& stages, const RunConfig& question, const Control
   report.history = found.history;
   report.seconds = found.seconds;
   report.before = to_model(body.frame, body.local);
+  const TriangleMesh after = to_model(body.frame, found.local);
+  for (std::size_t i = 0; i < after.vertices.size(); ++i)
+    report.displacement.push_back(after.vertices[i] - report.before.vertices[i]);
 
-  result.question = question;
-  result.question.deform = {};
+  result.axis = body.axis;
+  result.contact = body.frame.to_model(found.anchor - stages.problem->anchor());
+  result.wall = {wall, Wall::millimetres, question.wall.to_corners};
+  if (question.settings.contains("problem.point"))
+    result.settings["problem.point"] = field_text::text_of(body.frame.to_model(found.anchor));
+  if (const auto water = stages.problem->water())
+    result.settings["problem.draft"] =
+        fmt::format("{:.17g}mm", (water->surface - bounding_box(found.local).lo[2]) * length);
   if (found.reached == Reached::nothing) return result;
   auto solid = std::make_shared<Source>();
   solid->name = body.name;
   solid->format = "deformed";
-  solid->mesh = to_model(body.frame, found.local);
+  solid->mesh = after;
   solid->ours = true;
   solid->axis = body.usual.axis;
   solid->up = body.usual.up;
   solid->repairs = body.repairs;
   result.solid = std::move(solid);
-  RunConfig& asked = result.question;
-  asked.wall = {wall, Wall::millimetres, question.wall.to_corners};
+  return result;
+}
+
+RunConfig Deformed::question(RunConfig asked) const {
+  asked.deform = {};
+  if (!solid) return asked;
+  asked.wall = wall;
   asked.flatten = false;
   asked.body.size.reset();
   asked.body.unit.reset();
   asked.body.flatten.reset();
-  asked.body.axis = body.axis;
-  asked.body.contact = body.frame.to_model(found.anchor - stages.problem->anchor());
-  if (asked.settings.contains("problem.point"))
-    asked.settings["problem.point"] = field_text::text_of(body.frame.to_model(found.anchor));
-  if (const auto water = stages.problem->water())
-    asked.settings["problem.draft"] =
-        fmt::format("{:.17g}mm", (water->surface - bounding_box(found.local).lo[2]) * length);
-  return result;
+  asked.body.axis = axis;
+  asked.body.contact = contact;
+  for (const auto& [name, text] : settings) asked.settings[name] = text;
+  return asked;
 }
 
 }  // namespace kreisel::core

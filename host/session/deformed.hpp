@@ -8,11 +8,16 @@
 
 namespace kreisel::core {
 
-/// A deformed body, with the question as it is asked of it.
+/// A deformed body, and what of a question about the undeformed one is another thing of it.
 struct Deformed {
   DeformationReport report;
-  RunConfig question;                   ///< with nothing left to deform
   std::shared_ptr<const Source> solid;  ///< nothing: it stays as it was, for nothing was reached
+  Vec3 axis = Vec3::UnitZ(), contact = Vec3::Zero();  ///< as used, model coordinates
+  Wall wall;                                          ///< of the undeformed body, mm
+  SettingTexts settings;  ///< of the problem: where its point is, how deep it lies
+
+  /// The question as it is asked of the deformed body, with nothing left to deform.
+  [[nodiscard]] RunConfig question(RunConfig asked) const;
 };
 
 /// Deforms the body of a question as its DeformSpec says.

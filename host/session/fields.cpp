@@ -298,7 +298,8 @@ Fields<RunConfig> deform_fields() {
               c.deform.within.reset();
               if (v == "least") return;
               const double percent = parse_with_unit(v, "%").value_or(-1);
-              if (!(percent > 0 && percent <= 50)) refuse(k, v, "least, or a share above 0 and up to 50% such as 5%");
+              if (!(percent > 0 && percent <= 50))
+                refuse(k, v, "least, or a share above 0 and up to 50% such as 5%");
               c.deform.within = percent;
             },
             [](ConstC c) {
@@ -392,7 +393,8 @@ const Fields<RunConfig>& rounding_fields() {
 }
 
 const Fields<RunConfig>& solve_fields() {
-  static const Fields<RunConfig> all = joined<RunConfig>(asked_fields(), deform_fields(), rounding_fields(), effort_fields());
+  static const Fields<RunConfig> all =
+      joined<RunConfig>(asked_fields(), deform_fields(), rounding_fields(), effort_fields());
   return all;
 }
 

@@ -72,14 +72,14 @@ struct RunResult {
   std::vector<Cube> cells;                                  ///< of an octree, in the order of the variables
   std::string scope;                                        ///< Problem::scope()
   Outcome outcome;                                          ///< of the last timed solve
-  std::string infeasibility;               ///< what cannot be met, when the outcome is infeasible
-  std::string remedies;                    ///< and what would help
+  std::string infeasibility;                     ///< what cannot be met, when the outcome is infeasible
+  std::string remedies;                          ///< and what would help
   std::optional<DeformationReport> deformation;  ///< when asked for; then all else is of the deformed body
-  std::optional<Certificate> certificate;  ///< when asked for
-  std::vector<Seconds> samples;            ///< every timed solve
-  Seconds median;                          ///< of each column of samples
-  RoundingCost rounding;                   ///< like `voids` and `verified` empty where config.part is none
-  Voids voids;                             ///< of the written part: model coordinates, mm
+  std::optional<Certificate> certificate;        ///< when asked for
+  std::vector<Seconds> samples;                  ///< every timed solve
+  Seconds median;                                ///< of each column of samples
+  RoundingCost rounding;  ///< like `voids` and `verified` empty where config.part is none
+  Voids voids;            ///< of the written part: model coordinates, mm
   Verified verified;
   double whole_seconds = 0;  ///< from the model to the verified file; without the certificate
   double peak_bytes = 0;     ///< of memory in use, of the whole process so far

@@ -6,6 +6,7 @@
 
 #include "error.hpp"
 #include "problem/turned.hpp"
+#include "session/of_deformed.hpp"
 #include "stop.hpp"
 #include "stopwatch.hpp"
 
@@ -44,6 +45,11 @@ std::shared_ptr<const Body> with_densities_of(const Body& pose, const std::share
 }
 
 }  // namespace
+
+Session::Session() = default;
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
 
 Session::Session(std::shared_ptr<const Source> solid, std::shared_ptr<device::Device> device)
     : given_(std::move(solid)), given_device_(std::move(device)) {}
@@ -195,6 +201,19 @@ Stages Session::stages(const Asked& question, const Control& control, Along rays
   stages.formulation = formulation_of(question, *laid, *stages.problem, stages.device);
   control.stop_if_asked();
   return stages;
+}
+
+std::shared_ptr<Session::OfDeformed> Session::deformed(const RunConfig& question, const Stages& stages,
+                                                       const Control& control) {
+  return stage("deformed", deformed_,
+               {stages.pose, stages.domain, question.problem, settings_of(question, "problem"),
+                question.deform, question.grid.resolution},
+               [&] {
+                 auto made = std::make_shared<OfDeformed>();
+                 made->body = kreisel::core::deformed(stages, question, control);
+                 if (made->body.solid) made->session.emplace(made->body.solid, stages.device);
+                 return made;
+               });
 }
 
 const Provenance& Session::provenance() {

@@ -55,7 +55,7 @@ enum class Along { any_axis, own_axis };
 class Session {
  public:
   /// Bodies as the questions name them, each device opened as they ask.
-  Session() = default;
+  Session();
   /// Of one body, on one device; what questions say of mesh, fineness, unit and device is left aside.
   /// @param solid  a solid's mesh, with what is known of it (load_solid)
   Session(std::shared_ptr<const Source> solid, std::shared_ptr<device::Device> device);
@@ -71,11 +71,22 @@ class Session {
   [[nodiscard]] Stages stages(const Asked& question, const Control& control = {},
                               Along rays = Along::own_axis);
 
+  /// The body of a question as its DeformSpec deforms it, in a session of its own.
+  struct OfDeformed;
+  /// Kept as long as nothing that it depends on changes. @param stages  of the question as it stands
+  /// @throws InputError, Interrupted
+  [[nodiscard]] std::shared_ptr<OfDeformed> deformed(const RunConfig& question, const Stages& stages,
+                                                     const Control& control = {});
+
   /// The stages that the last question made anew, in their order: device, mesh, body, pose, domain,
   /// problem, formulation.
   [[nodiscard]] const std::vector<std::string_view>& made() const { return made_; }
   /// Of the device in use. @pre  stages() was called
   [[nodiscard]] const Provenance& provenance();
+
+  ~Session();
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
 
  private:
   struct Laid {
@@ -135,6 +146,16 @@ class Session {
     bool operator==(const ProblemKey&) const = default;
   };
 
+  struct DeformKey {
+    std::shared_ptr<const Body> pose;
+    std::shared_ptr<const RunDomain> domain;
+    std::string problem;
+    SettingTexts settings;
+    DeformSpec spec;
+    int cells = 0;
+    bool operator==(const DeformKey&) const = default;
+  };
+
   template <class Key, class Value, class Make>
   std::shared_ptr<Value> stage(std::string_view name, Kept<Key, Value>& kept, Key key, const Make& make);
   std::shared_ptr<device::Device> device_of(const Asked& question);
@@ -161,6 +182,7 @@ class Session {
   Kept<DomainKey, const Laid> domain_;
   Kept<FormulationKey, Formulation> formulation_;
   Kept<ProblemKey, const Problem> problem_;
+  Kept<DeformKey, OfDeformed> deformed_;
   std::optional<Provenance> provenance_;
   std::vector<std::string_view> made_;
 };

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "error.hpp"
-#include "session/deformed.hpp"
+#include "session/of_deformed.hpp"
 #include "session/remedies.hpp"
 #include "solve/explain.hpp"
 #include "statistics.hpp"
@@ -58,11 +58,14 @@ SolverOptions options_of(const RunConfig& config, const SolverEntry& solver) {
 }  // namespace
 
 SolvedRun::SolvedRun(Session& session, const RunConfig& config, const Control& control, Along rays)
-    : stop_(control.stop), solver_(&checked_solver(config)), options_(options_of(config, *solver_)), asked_(config) {
+    : stop_(control.stop),
+      solver_(&checked_solver(config)),
+      options_(options_of(config, *solver_)),
+      asked_(config) {
   if (!config.deform.keep.empty() && !config.deform.wanted)
     throw InputError("--keep of a body whose shape stays; expected --deform, too");
   stages_ = session.stages(config, control, config.deform.wanted ? Along::own_axis : rays);
-  if (config.deform.wanted) deform(control, rays);
+  if (config.deform.wanted) deform(session, control, rays);
   require_form(*solver_, *stages_.problem);
   require_form(*solver_, *stages_.formulation);
   setup_seconds_ = whole_.seconds() - stages_.opening_seconds;
@@ -72,14 +75,13 @@ SolvedRun::SolvedRun(Session& session, const RunConfig& config, const Control& c
 }
 
 /// The run goes on with the body that it becomes, in a session of its own.
-void SolvedRun::deform(const Control& control, Along rays) {
-  Deformed found = deformed(stages_, asked_, control);
-  result.deformation = std::move(found.report);
-  asked_ = std::move(found.question);
-  if (!found.solid) return;
-  of_deformed_ = std::make_unique<Session>(found.solid, stages_.device);
+void SolvedRun::deform(Session& session, const Control& control, Along rays) {
+  const std::shared_ptr<Session::OfDeformed> found = session.deformed(asked_, stages_, control);
+  result.deformation = found->body.report;
+  asked_ = found->body.question(std::move(asked_));
+  if (!found->session) return;
   const double opening = stages_.opening_seconds;
-  stages_ = of_deformed_->stages(asked_, control, rays);
+  stages_ = found->session->stages(asked_, control, rays);
   stages_.opening_seconds = opening;
 }
 

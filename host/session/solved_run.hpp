@@ -56,7 +56,7 @@ class SolvedRun {
   RunResult result;  ///< its part: nothing yet
 
  private:
-  void deform(const Control& control, Along rays);
+  void deform(Session& session, const Control& control, Along rays);
   void describe_run(const Provenance& provenance);
   void go_on_from_the_certificate();
   void repeat_solve(const Control& control);
@@ -65,8 +65,7 @@ class SolvedRun {
   std::stop_token stop_;
   const SolverEntry* solver_;
   SolverOptions options_;
-  std::unique_ptr<Session> of_deformed_;  ///< where the body was
-  RunConfig asked_;                       ///< of the body of the stages
+  RunConfig asked_;  ///< of the body of the stages
   Stages stages_;
   double setup_seconds_ = 0, certifying_ = 0;
 };

@@ -1,4 +1,4 @@
-#include "deform/motion.hpp"
+#include "deform/handle_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,11 +22,11 @@ Eigen::MatrixX3d random_u(Random& random, Eigen::Index handles, double most) {
   return Eigen::MatrixX3d::NullaryExpr(handles, 3, [&] { return uniform(random, -most, most); });
 }
 
-TEST(Motion, LeavesItsAnchorWhereItIsAndMovesAllElseAffinely) {
+TEST(HandleMotion, LeavesItsAnchorWhereItIsAndMovesAllElseAffinely) {
   const TriangleMesh box = box_mesh({-1, -1, -1}, {1, 2, 3});
   const Vec3 anchor(0.3, 0.2, -1);
   Random random(1);
-  const Motion motion(box, Affine(), anchor);
+  const HandleMotion motion(box, Affine(), anchor);
   const Eigen::MatrixX3d u = random_u(random, 4, 0.3);
   const Eigen::Matrix3d A = Eigen::Matrix3d::Identity() + u.bottomRows<3>().transpose();
   const TriangleMesh moved = motion.moved(u);
@@ -35,10 +35,10 @@ TEST(Motion, LeavesItsAnchorWhereItIsAndMovesAllElseAffinely) {
   EXPECT_LT((motion.row(5) * u - motion.displacement(u).row(5)).norm(), 1e-14);
 }
 
-TEST(Motion, PullsBackWhatIsAlongItsDisplacement) {
+TEST(HandleMotion, PullsBackWhatIsAlongItsDisplacement) {
   const TriangleMesh box = box_mesh({-1, -1, -1}, {1, 2, 3});
   Random random(2);
-  const Motion motion(box, Affine(), Vec3(0.1, 0, 0.5));
+  const HandleMotion motion(box, Affine(), Vec3(0.1, 0, 0.5));
   const Eigen::MatrixX3d u = random_u(random, 4, 1);
   std::vector<Vec3> force;
   for (std::size_t i = 0; i < box.vertices.size(); ++i) force.push_back(random_vec(random, -1, 1));

@@ -1,4 +1,4 @@
-// motion.hpp - a mesh that handles move.
+// handle_motion.hpp - a mesh that handles move.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -11,9 +11,9 @@ namespace kreisel::core {
 
 /// Displacements of all vertices from those of the handles, seen from an anchor that goes along: the anchor
 /// stays where it is, for where a body is in space means nothing.
-class Motion {
+class HandleMotion {
  public:
-  Motion(const TriangleMesh& mesh, const Handles& handles, const Vec3& anchor);
+  HandleMotion(const TriangleMesh& mesh, const Handles& handles, const Vec3& anchor);
 
   [[nodiscard]] Eigen::Index handles() const { return weights_.cols(); }
   /// Of every vertex. @param u  (handles, 3)

@@ -1,4 +1,4 @@
-#include "deform/motion.hpp"
+#include "deform/handle_motion.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -7,7 +7,7 @@
 
 namespace kreisel::core {
 
-Motion::Motion(const TriangleMesh& mesh, const Handles& handles, const Vec3& anchor)
+HandleMotion::HandleMotion(const TriangleMesh& mesh, const Handles& handles, const Vec3& anchor)
     : mesh_(mesh),
       weights_(static_cast<Eigen::Index>(mesh.vertices.size()), static_cast<Eigen::Index>(handles.count())),
       anchor_(Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(handles.count()))) {
@@ -22,13 +22,13 @@ Motion::Motion(const TriangleMesh& mesh, const Handles& handles, const Vec3& anc
   for (const HandleWeight& w : handles.at(anchor)) anchor_[w.handle] = w.weight;
 }
 
-Eigen::MatrixX3d Motion::displacement(const Eigen::MatrixX3d& u) const {
+Eigen::MatrixX3d HandleMotion::displacement(const Eigen::MatrixX3d& u) const {
   Eigen::MatrixX3d d = weights_ * u;
   d.rowwise() -= of_anchor(u);
   return d;
 }
 
-TriangleMesh Motion::moved(const Eigen::MatrixX3d& u) const {
+TriangleMesh HandleMotion::moved(const Eigen::MatrixX3d& u) const {
   TriangleMesh mesh = mesh_;
   const Eigen::MatrixX3d d = displacement(u);
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
@@ -36,7 +36,7 @@ TriangleMesh Motion::moved(const Eigen::MatrixX3d& u) const {
   return mesh;
 }
 
-Eigen::MatrixX3d Motion::pulled_back(const std::vector<Vec3>& gradient) const {
+Eigen::MatrixX3d HandleMotion::pulled_back(const std::vector<Vec3>& gradient) const {
   Eigen::MatrixX3d g(static_cast<Eigen::Index>(gradient.size()), 3);
   for (std::size_t i = 0; i < gradient.size(); ++i) g.row(static_cast<Eigen::Index>(i)) = gradient[i];
   const Eigen::RowVector3d total = g.colwise().sum();
@@ -45,7 +45,7 @@ Eigen::MatrixX3d Motion::pulled_back(const std::vector<Vec3>& gradient) const {
   return result;
 }
 
-Eigen::RowVectorXd Motion::row(Eigen::Index vertex) const {
+Eigen::RowVectorXd HandleMotion::row(Eigen::Index vertex) const {
   Eigen::RowVectorXd all = -anchor_;
   for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator w(weights_, vertex); w; ++w)
     all[w.col()] += w.value();
