@@ -140,18 +140,23 @@ class Nesting final : public Attempt {
     const NestConfig& config = run_.run.nesting();
     NestHooks hooks;
     hooks.control = control;
-    std::optional<NestCheckpoint> begun;
     if (const auto* swarm = part_of<NestSwarm>(config)) {
       kept_.emplace(checkpoint_of(run_.record, config));
       islands_ = swarm->exchange > 0;
-      begun = kept_->begun(config);
-      hooks.resume = begun ? &*begun : nullptr;
       hooks.keep = [this](const NestCheckpoint& now) { kept_->keep(now); };
       hooks.exchange = [this](const NestCheckpoint& now) {
         kept_->keep(now);
         return kept_->better_elsewhere(now);
       };
     }
+    if (const std::optional<NestCheckpoint> begun = kept_ ? begun_of(config) : std::nullopt) try {
+        hooks.resume = &*begun;
+        result_ = hooks_.nest(config, hooks);
+        return;
+      } catch (const nest::UnfitState& damaged) {
+        say_anew(damaged);
+        hooks.resume = nullptr;
+      }
     result_ = hooks_.nest(config, hooks);
   }
   [[nodiscard]] bool whole() const override { return result_.ending != NestResult::Ending::interrupted; }
@@ -166,6 +171,21 @@ class Nesting final : public Attempt {
   }
 
  private:
+  /// What is kept of the search; nothing where that is damaged.
+  [[nodiscard]] std::optional<NestCheckpoint> begun_of(const NestConfig& config) const {
+    try {
+      return kept_->begun(config);
+    } catch (const InputError& damaged) {
+      say_anew(damaged);
+      return std::nullopt;
+    }
+  }
+  /// A file may be torn; that is no reason to give up what was asked for.
+  void say_anew(const InputError& damaged) const {
+    if (hooks_.remark)
+      hooks_.remark(run_.run, fmt::format("begins anew, its checkpoint is damaged: {}", damaged.what()));
+  }
+
   const PlannedRun& run_;
   const RunnerHooks& hooks_;
   NestResult result_;

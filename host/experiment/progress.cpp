@@ -122,6 +122,14 @@ void ProgressLine::note(const std::string& line) {
   std::fflush(out_);
 }
 
+void ProgressLine::tell(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  if (terminal_ && running_) erase();
+  fmt::print(out_, "{}\n", line);
+  std::fflush(out_);
+  if (terminal_ && running_) draw();
+}
+
 double ProgressLine::elapsed() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
 
 std::string ProgressLine::left() const {

@@ -112,8 +112,9 @@ std::string dry_run(const Experiment& experiment, const RunnerOptions& options) 
 }
 
 RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& options,
-                         const RunnerHooks& hooks) {
+                         const RunnerHooks& given) {
   RunCounts counts;
+  RunnerHooks hooks = given;
   std::vector<PlannedRun> pending;
   std::vector<Effort> efforts;
   for (PlannedRun& run : plan_runs(experiment, options)) {
@@ -132,6 +133,10 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
   if (!pending.empty()) make_folder(options.results / experiment.name);
 
   ProgressLine progress(options.log, std::move(efforts));
+  if (!hooks.remark)
+    hooks.remark = [&](const ExperimentRun& run, const std::string& line) {
+      progress.tell(fmt::format("{}: {}", run_text(run), line));
+    };
   for (std::size_t i = 0; i < pending.size() && !counts.interrupted; ++i) {
     const PlannedRun& run = pending[i];
     if (hooks.stop.stop_requested()) {

@@ -34,6 +34,8 @@ struct RunnerHooks {
   std::function<Simulation(const SimulationRun&, const Control&)> simulation = run_simulation;
   std::function<NestResult(const NestConfig&, const NestHooks&)> nest = run_nest;
   std::stop_token stop = {};
+  /// Told, in a line, of what is odd about a run that goes on all the same. Empty: the log is told.
+  std::function<void(const ExperimentRun&, const std::string& line)> remark;
   /// Of a run that failed before it could say itself.
   std::function<Provenance(const ExperimentRun&)> provenance;
 };
