@@ -115,7 +115,7 @@ class Mapping final : public Attempt {
  public:
   Mapping(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
 
-  void run(const Control& control) override { map_ = hooks_.map(std::get<MapRun>(run_.run.run), control); }
+  void run(const Control& control) override { map_ = hooks_.map(std::get<MapRun>(*run_.run.run), control); }
   [[nodiscard]] bool whole() const override { return map_.axes.size() == map_.asked; }
   [[nodiscard]] bool converged() const override { return true; }  // an axis that is infeasible is an answer
   [[nodiscard]] std::string text() const override {
@@ -198,7 +198,7 @@ class Simulating final : public Attempt {
   Simulating(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
 
   void run(const Control& control) override {
-    result_ = hooks_.simulation(std::get<SimulationRun>(run_.run.run), control);
+    result_ = hooks_.simulation(std::get<SimulationRun>(*run_.run.run), control);
   }
   [[nodiscard]] bool whole() const override { return true; }      // one that is interrupted throws
   [[nodiscard]] bool converged() const override { return true; }  // that there is no part is an answer
@@ -245,7 +245,7 @@ std::unique_ptr<Attempt> make_attempt(const PlannedRun& run, const RunnerHooks& 
       return std::make_unique<Nesting>(run, hooks);
     }
   };
-  return std::visit(Make{run, hooks}, run.run.run);
+  return std::visit(Make{run, hooks}, *run.run.run);
 }
 
 OnRecord on_record(const PlannedRun& run) {

@@ -43,7 +43,7 @@ std::size_t columns(std::FILE* out) {
 }  // namespace
 
 Effort effort_of(const ExperimentRun& run) {
-  if (const auto* nest = std::get_if<NestConfig>(&run.run))
+  if (const auto* nest = std::get_if<NestConfig>(&*run.run))
     return {run_text(run), fmt::format("{} {}", shapes_text(*nest), kind_of(*nest)), weight(*nest)};
   // Formulations differ by an order of magnitude.
   return {run_text(run), run.asked().formulation, weight(run.asked())};

@@ -263,7 +263,8 @@ TEST(NestExperiments, CallNothingAsPublishedThatIsNot) {
   std::size_t called = 0;
   for (const std::string& name : experiment_names())
     for (const ExperimentRun& run : read_experiment(data_folder() / "experiments" / (name + ".toml")).runs) {
-      if (!std::holds_alternative<NestConfig>(run.run) || run.label.find("as published") == std::string::npos)
+      if (!std::holds_alternative<NestConfig>(*run.run) ||
+          run.label.find("as published") == std::string::npos)
         continue;
       ++called;
       const nest::SwarmOptions& swarm = part_of<NestSearch>(run.nesting())->search.swarm;

@@ -61,7 +61,7 @@ int run_experiment(const ExperimentOptions& options) {
   look_for_files_in(options.models);
   if (!options.csv_file.empty()) require_writable(options.csv_file, "--csv");
   if (!options.device.empty())
-    for (ExperimentRun& run : experiment.runs) set_field(run.run, "device", options.device);
+    for (ExperimentRun& run : experiment.runs) set_field(run.run.changed(), "device", options.device);
 
   const bool whole = options.shard.empty();
   if (!whole) experiment = share_of(experiment, shard_of(options.shard));
