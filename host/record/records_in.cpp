@@ -73,8 +73,8 @@ Record read_record(const std::filesystem::path& path) {
   if (file.has("error")) record.error = file.text("error");
   if (!record.error.empty())
     record.summary = summary_of_failure(file, path);
-  else if (const nlohmann::json kept = fields::kept_summary(file); kept.is_object())
-    record.summary = kept;
+  else if (Summary kept = fields::kept_summary(file); !kept.empty())
+    record.summary = std::move(kept);
   else
     record.summary = kind.summary(path);
   return record;
