@@ -225,6 +225,17 @@ bool wants_more_samples(const RunConfig& config, const fs::path& record) {
          made.samples.size() < static_cast<std::size_t>(config.repeat) && spent < config.budget_seconds;
 }
 
+RunState state_by(const Standing& standing, const PlannedRun& run) {
+  if (is_limit(limits_of(run.run), standing.error)) return RunState::finished;
+  if (!standing.error.empty()) return RunState::failed;
+  if (!standing.complete) return RunState::missing;
+  if (standing.kind != RecordKind::run) return RunState::finished;
+  std::error_code ignored;
+  if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
+  if (wants_more_samples(run.run.solve(), run.record)) return RunState::few_samples;
+  return RunState::finished;
+}
+
 }  // namespace
 
 std::unique_ptr<Attempt> make_attempt(const PlannedRun& run, const RunnerHooks& hooks) {
@@ -252,16 +263,13 @@ OnRecord on_record(const PlannedRun& run) {
   std::error_code ignored;
   if (!fs::exists(run.record, ignored)) return {};
   const Standing standing = standing_of_record(run.record);
-  const auto state = [&] {
-    if (is_limit(limits_of(run.run), standing.error)) return RunState::finished;
-    if (!standing.error.empty()) return RunState::failed;
-    if (!standing.complete) return RunState::missing;
-    if (standing.kind != RecordKind::run) return RunState::finished;
-    if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
-    if (wants_more_samples(run.run.solve(), run.record)) return RunState::few_samples;
-    return RunState::finished;
-  };
-  return {state(), standing.host};
+  return {state_by(standing, run), standing.host};
+}
+
+OnRecord on_record(const PlannedRun& run, const std::optional<Record>& record) {
+  if (!record) return {};
+  const Standing standing = standing_of(*record);
+  return {state_by(standing, run), standing.host};
 }
 
 }  // namespace kreisel::core

@@ -94,6 +94,15 @@ Standing standing_of_record(const std::filesystem::path& path) {
   return standing;
 }
 
+Standing standing_of(const Record& record) {
+  Standing standing{record.kind, record.error, "", true};
+  if (const nlohmann::json host = record.summary.at("provenance.host"); host.is_string())
+    standing.host = host.get<std::string>();
+  if (record.kind == RecordKind::map && record.error.empty())
+    standing.complete = record.summary.at("termination") == "complete";
+  return standing;
+}
+
 void write_failure(const std::filesystem::path& path, const Run& run, const Provenance& provenance,
                    const std::string& message) {
   const auto schema = [&] {
