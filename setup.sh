@@ -2,7 +2,7 @@
 # Installs the Debian 12 packages that Kreisel builds and runs with; skips what is there, and uses sudo only when
 # not root.   ./setup.sh          what is needed to build, run, test and plot
 #             ./setup.sh --python and what the Python library is built with
-#             ./setup.sh --ci     and what only CI needs, too (formatting, a slicer, a browser, notebooks)
+#             ./setup.sh --ci     and what only CI needs, too (formatting, a slicer, a browser, notebooks, Slurm)
 set -euo pipefail
 
 packages=(
@@ -27,7 +27,8 @@ packages=(
 )
 python=(pybind11-dev python3-dev)
 ci=(clang-format prusa-slicer chromium                                # slicer and browser: 800 MB, for two tests
-    python3-nbconvert python3-ipykernel)
+    python3-nbconvert python3-ipykernel
+    slurmctld slurmd slurm-client munge)                              # a cluster of two virtual nodes, for one test
 case "${1:-}" in
   "") ;;
   --python) packages+=("${python[@]}") ;;

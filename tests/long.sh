@@ -42,7 +42,7 @@ two_nodes() { tests/cluster/two_nodes.sh build/dev; }
 fuzz() {
   local build=build/fuzz seconds=${KREISEL_FUZZ_SECONDS:-600} wrong=0 reader
   cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS="-O1 -g1" -DKREISEL_FUZZ=ON \
-      -DKREISEL_TESTS=OFF -DKREISEL_MICRO=OFF || return 1
+      -DKREISEL_TESTS=OFF -DKREISEL_MICRO=OFF -DKREISEL_UNITY=ON || return 1
   for reader in ${KREISEL_FUZZ_READERS:-off obj ply stl 3mf experiment gcode}; do
     cmake --build $build --target "fuzz_$reader" || return 1
     mkdir -p "$build/corpus/$reader" "$build/found"

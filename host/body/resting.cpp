@@ -163,11 +163,12 @@ std::vector<Index> ends_of_rolling(const ConvexHull& hull, const Vec3& centre, c
 template <class Visit>
 std::vector<Index> visit_grounds(const ConvexHull& hull, const Visit& visit) {
   constexpr Index none = ~Index{0};
+  const std::vector<Index> order = largest_first(hull);  // ahead of what else fills the memory
   const Normals normals(hull);
   std::vector<Index> ground_of(hull.facets.size(), none);
   std::vector<std::uint8_t> seen(ground_of.size(), 0);
   Index count = 0;
-  for (const Index f : largest_first(hull)) {
+  for (const Index f : order) {
     if (ground_of[f] != none) continue;
     stop_here();
     const Ground ground = ground_around(hull, normals, f, seen);

@@ -38,7 +38,9 @@ struct Shapes {
   Vec3 up = Vec3::UnitZ();  ///< of the outermost
 };
 
-Shapes load(const NestConfig& config) {
+/// @throws InputError  a shape that is no solid; before all else, an outermost one whose unit must be said
+Shapes load(const NestedSpec& asked) {
+  const NestConfig& config = asked.config;
   const std::vector<std::string>& within = std::get<NestLayers>(config.kind).within;
   std::vector<std::string> names = {config.outer};
   if (!config.inner.empty() && (config.inner != config.outer || !within.empty()))
@@ -49,9 +51,15 @@ Shapes load(const NestConfig& config) {
     BodySpec spec;
     spec.model = name;
     if (config.fineness > 0) spec.fineness = config.fineness;
+    const bool outermost = shapes.meshes.empty();
+    if (outermost) {  // those inside it are scaled anyway
+      spec.unit = asked.unit;
+      spec.size = config.outer_size;
+    }
     Source solid = load_solid(spec);
+    if (outermost) require_unit_said(spec, solid);
     const double longest = bounding_box(solid.mesh).extent().maxCoeff();
-    if (shapes.meshes.empty()) {
+    if (outermost) {
       shapes.up = solid.up;
       shapes.size = config.outer_size ? *config.outer_size : solid.size.value_or(longest * solid.millimetres);
     }
@@ -225,7 +233,7 @@ Nested make_nested(const NestedSpec& spec, const Control& control) {
   require_valid(spec.config);
   Nested nested;
   nested.spec = spec;
-  Shapes shapes = load(spec.config);
+  Shapes shapes = load(spec);
   nested.repairs = shapes.repairs;
   nested.size = shapes.size;
   nested.up = shapes.up;

@@ -3,11 +3,13 @@
 
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "domain/columns.hpp"
 #include "fabricate/verify.hpp"
+#include "mesh/io/length_unit.hpp"
 #include "run/nest_config.hpp"
 #include "session/pipeline.hpp"
 #include "session/provenance.hpp"
@@ -17,11 +19,12 @@ namespace kreisel::core {
 struct NestedSpec {
   /// Of the kind NestLayers; its tolerances are the printer's.
   NestConfig config;
-  Wall wall{2, Wall::percent};  ///< the least, mm or percent of the outermost shape's longest side
-  std::filesystem::path file;   ///< where the parts go
-  double density = 1;           ///< g/cm^3
-  double peg_radius = 0;        ///< of pins that align the halves of each layer, mm; 0: none
-  bool lay_flat = false;        ///< parts are written beside each other, halves on their cuts
+  std::optional<LengthUnit> unit;  ///< of the outermost shape, a file whose format has none; default mm
+  Wall wall{2, Wall::percent};     ///< the least, mm or percent of the outermost shape's longest side
+  std::filesystem::path file;      ///< where the parts go
+  double density = 1;              ///< g/cm^3
+  double peg_radius = 0;           ///< of pins that align the halves of each layer, mm; 0: none
+  bool lay_flat = false;           ///< parts are written beside each other, halves on their cuts
 
   /// @throws std::bad_variant_access  a nesting of another kind
   [[nodiscard]] const NestLayers& layers() const { return std::get<NestLayers>(config.kind); }

@@ -115,7 +115,7 @@ class Mapping final : public Attempt {
  public:
   Mapping(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
 
-  void run(const Control& control) override { map_ = hooks_.map(std::get<MapRun>(run_.run.run), control); }
+  void run(const Control& control) override { map_ = hooks_.map(std::get<MapRun>(*run_.run.run), control); }
   [[nodiscard]] bool whole() const override { return map_.axes.size() == map_.asked; }
   [[nodiscard]] bool converged() const override { return true; }  // an axis that is infeasible is an answer
   [[nodiscard]] std::string text() const override {
@@ -140,18 +140,23 @@ class Nesting final : public Attempt {
     const NestConfig& config = run_.run.nesting();
     NestHooks hooks;
     hooks.control = control;
-    std::optional<NestCheckpoint> begun;
     if (const auto* swarm = part_of<NestSwarm>(config)) {
       kept_.emplace(checkpoint_of(run_.record, config));
       islands_ = swarm->exchange > 0;
-      begun = kept_->begun(config);
-      hooks.resume = begun ? &*begun : nullptr;
       hooks.keep = [this](const NestCheckpoint& now) { kept_->keep(now); };
       hooks.exchange = [this](const NestCheckpoint& now) {
         kept_->keep(now);
         return kept_->better_elsewhere(now);
       };
     }
+    if (const std::optional<NestCheckpoint> begun = kept_ ? begun_of(config) : std::nullopt) try {
+        hooks.resume = &*begun;
+        result_ = hooks_.nest(config, hooks);
+        return;
+      } catch (const nest::UnfitState& damaged) {
+        say_anew(damaged);
+        hooks.resume = nullptr;
+      }
     result_ = hooks_.nest(config, hooks);
   }
   [[nodiscard]] bool whole() const override { return result_.ending != NestResult::Ending::interrupted; }
@@ -166,6 +171,21 @@ class Nesting final : public Attempt {
   }
 
  private:
+  /// What is kept of the search; nothing where that is damaged.
+  [[nodiscard]] std::optional<NestCheckpoint> begun_of(const NestConfig& config) const {
+    try {
+      return kept_->begun(config);
+    } catch (const InputError& damaged) {
+      say_anew(damaged);
+      return std::nullopt;
+    }
+  }
+  /// A file may be torn; that is no reason to give up what was asked for.
+  void say_anew(const InputError& damaged) const {
+    if (hooks_.remark)
+      hooks_.remark(run_.run, fmt::format("begins anew, its checkpoint is damaged: {}", damaged.what()));
+  }
+
   const PlannedRun& run_;
   const RunnerHooks& hooks_;
   NestResult result_;
@@ -178,7 +198,7 @@ class Simulating final : public Attempt {
   Simulating(const PlannedRun& run, const RunnerHooks& hooks) : run_(run), hooks_(hooks) {}
 
   void run(const Control& control) override {
-    result_ = hooks_.simulation(std::get<SimulationRun>(run_.run.run), control);
+    result_ = hooks_.simulation(std::get<SimulationRun>(*run_.run.run), control);
   }
   [[nodiscard]] bool whole() const override { return true; }      // one that is interrupted throws
   [[nodiscard]] bool converged() const override { return true; }  // that there is no part is an answer
@@ -205,6 +225,17 @@ bool wants_more_samples(const RunConfig& config, const fs::path& record) {
          made.samples.size() < static_cast<std::size_t>(config.repeat) && spent < config.budget_seconds;
 }
 
+RunState state_by(const Standing& standing, const PlannedRun& run) {
+  if (is_limit(limits_of(run.run), standing.error)) return RunState::finished;
+  if (!standing.error.empty()) return RunState::failed;
+  if (!standing.complete) return RunState::missing;
+  if (standing.kind != RecordKind::run) return RunState::finished;
+  std::error_code ignored;
+  if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
+  if (wants_more_samples(run.run.solve(), run.record)) return RunState::few_samples;
+  return RunState::finished;
+}
+
 }  // namespace
 
 std::unique_ptr<Attempt> make_attempt(const PlannedRun& run, const RunnerHooks& hooks) {
@@ -225,23 +256,20 @@ std::unique_ptr<Attempt> make_attempt(const PlannedRun& run, const RunnerHooks& 
       return std::make_unique<Nesting>(run, hooks);
     }
   };
-  return std::visit(Make{run, hooks}, run.run.run);
+  return std::visit(Make{run, hooks}, *run.run.run);
 }
 
 OnRecord on_record(const PlannedRun& run) {
   std::error_code ignored;
   if (!fs::exists(run.record, ignored)) return {};
   const Standing standing = standing_of_record(run.record);
-  const auto state = [&] {
-    if (is_limit(limits_of(run.run), standing.error)) return RunState::finished;
-    if (!standing.error.empty()) return RunState::failed;
-    if (!standing.complete) return RunState::missing;
-    if (standing.kind != RecordKind::run) return RunState::finished;
-    if (!run.mesh.empty() && !fs::exists(run.mesh, ignored)) return RunState::without_mesh;
-    if (wants_more_samples(run.run.solve(), run.record)) return RunState::few_samples;
-    return RunState::finished;
-  };
-  return {state(), standing.host};
+  return {state_by(standing, run), standing.host};
+}
+
+OnRecord on_record(const PlannedRun& run, const std::optional<Record>& record) {
+  if (!record) return {};
+  const Standing standing = standing_of(*record);
+  return {state_by(standing, run), standing.host};
 }
 
 }  // namespace kreisel::core

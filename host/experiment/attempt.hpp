@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "experiment/runner.hpp"
@@ -39,5 +40,7 @@ struct OnRecord {
 };
 /// What is on disk for it. @throws InputError  a record that cannot be read
 [[nodiscard]] OnRecord on_record(const PlannedRun& run);
+/// The same where its record is read already. @param record  nothing: there is none
+[[nodiscard]] OnRecord on_record(const PlannedRun& run, const std::optional<Record>& record);
 
 }  // namespace kreisel::core

@@ -109,14 +109,14 @@ class Parser {
     const unsigned line = root_.source().end.line;
     for (const ExperimentRun& run : experiment_.runs) {
       const RunKind& kind = run_kind_of(run.run);
-      const bool nesting = std::holds_alternative<NestConfig>(run.run);
+      const bool nesting = std::holds_alternative<NestConfig>(*run.run);
       if (!of_.empty() && (nesting ? "nesting" : kind.name) != of_) {
         if (of_ == "map")
           fail(line, "table = \"maps\" with a run that is none, expected axes or through in every run");
         fail(line, fmt::format("table = \"{}\" with {}, expected a {} in every run{}", experiment_.table,
                                kind.what, of_, kind.name == "map" ? ", or table = \"maps\"" : ""));
       }
-      const auto* solve = std::get_if<RunConfig>(&run.run);
+      const auto* solve = std::get_if<RunConfig>(&*run.run);
       if (run.mesh && (!solve || solve->part == Part::none))
         fail(line, "mesh = true for a run that makes no part, expected a solve with part = \"written\"");
       if (run.mesh && solve->limits.any())

@@ -43,7 +43,7 @@ std::size_t columns(std::FILE* out) {
 }  // namespace
 
 Effort effort_of(const ExperimentRun& run) {
-  if (const auto* nest = std::get_if<NestConfig>(&run.run))
+  if (const auto* nest = std::get_if<NestConfig>(&*run.run))
     return {run_text(run), fmt::format("{} {}", shapes_text(*nest), kind_of(*nest)), weight(*nest)};
   // Formulations differ by an order of magnitude.
   return {run_text(run), run.asked().formulation, weight(run.asked())};
@@ -120,6 +120,14 @@ void ProgressLine::note(const std::string& line) {
   erase();
   fmt::print(out_, "[{}/{}] {}\n", index_ + 1, runs_.size(), line);
   std::fflush(out_);
+}
+
+void ProgressLine::tell(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  if (terminal_ && running_) erase();
+  fmt::print(out_, "{}\n", line);
+  std::fflush(out_);
+  if (terminal_ && running_) draw();
 }
 
 double ProgressLine::elapsed() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }

@@ -42,7 +42,7 @@ class Estimate {
 [[nodiscard]] std::string duration_text(double seconds);
 
 /// Draws "[3/28] ellipsoid 80x52x51 voxel ipopt: step ... 12 s, about 3 min left" once a second, and a line
-/// for each run that is over. Writes nothing at all when `out` is not a terminal.
+/// for each run that is over. Where `out` is not a terminal, it writes nothing but what it is to tell().
 class ProgressLine {
  public:
   /// @param runs  what will run, in order
@@ -58,6 +58,8 @@ class ProgressLine {
   double end(bool counts);
   /// A line that stays. Only on a terminal.
   void note(const std::string& line);
+  /// A line that stays, wherever it goes.
+  void tell(const std::string& line);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -76,18 +76,25 @@ std::vector<RecordedRun> collect(const Experiment& experiment, const std::filesy
   return runs;
 }
 
-std::vector<PlannedRun> plan_runs(const Experiment& experiment, const RunnerOptions& options) {
+std::vector<PlannedRun> plan_runs(const Experiment& experiment, const RunnerOptions& options,
+                                  const std::vector<RecordedRun>* read) {
   std::vector<PlannedRun> plan;
+  std::vector<std::size_t> first;  // of the experiment's runs with that record
   std::unordered_map<std::string, std::size_t> known;
-  for (const ExperimentRun& run : experiment.runs) {
+  for (std::size_t i = 0; i < experiment.runs.size(); ++i) {
+    const ExperimentRun& run = experiment.runs[i];
     const fs::path record = record_path(options.results, experiment.name, run);
     const auto [at, is_new] = known.try_emplace(record.string(), plan.size());
-    if (is_new) plan.push_back({run, record, {}, {}});
+    if (is_new) {
+      plan.push_back({run, record, {}, {}});
+      first.push_back(i);
+    }
     if (run.mesh) plan[at->second].mesh = fs::path(record).replace_extension(".stl");
   }
   // A forced run does not look at what it replaces.
   if (!options.force)
-    for (PlannedRun& run : plan) run.state = on_record(run).state;
+    for (std::size_t i = 0; i < plan.size(); ++i)
+      plan[i].state = (read ? on_record(plan[i], read->at(first[i]).record) : on_record(plan[i])).state;
   for (PlannedRun& run : plan) {
     if (run.state == RunState::finished) continue;
     run.lacks = text_of_absent(run.run);
@@ -111,12 +118,13 @@ std::string dry_run(const Experiment& experiment, const RunnerOptions& options) 
   return text;
 }
 
-RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& options,
-                         const RunnerHooks& hooks) {
+RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& options, const RunnerHooks& given,
+                         const std::vector<RecordedRun>* read) {
   RunCounts counts;
+  RunnerHooks hooks = given;
   std::vector<PlannedRun> pending;
   std::vector<Effort> efforts;
-  for (PlannedRun& run : plan_runs(experiment, options)) {
+  for (PlannedRun& run : plan_runs(experiment, options, read)) {
     if (run.state == RunState::finished) {
       ++counts.skipped;
       continue;
@@ -132,6 +140,10 @@ RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& opti
   if (!pending.empty()) make_folder(options.results / experiment.name);
 
   ProgressLine progress(options.log, std::move(efforts));
+  if (!hooks.remark)
+    hooks.remark = [&](const ExperimentRun& run, const std::string& line) {
+      progress.tell(fmt::format("{}: {}", run_text(run), line));
+    };
   for (std::size_t i = 0; i < pending.size() && !counts.interrupted; ++i) {
     const PlannedRun& run = pending[i];
     if (hooks.stop.stop_requested()) {

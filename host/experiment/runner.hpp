@@ -34,6 +34,8 @@ struct RunnerHooks {
   std::function<Simulation(const SimulationRun&, const Control&)> simulation = run_simulation;
   std::function<NestResult(const NestConfig&, const NestHooks&)> nest = run_nest;
   std::stop_token stop = {};
+  /// Told, in a line, of what is odd about a run that goes on all the same. Empty: the log is told.
+  std::function<void(const ExperimentRun&, const std::string& line)> remark;
   /// Of a run that failed before it could say itself.
   std::function<Provenance(const ExperimentRun&)> provenance;
 };
@@ -76,10 +78,12 @@ struct RunCounts {
 [[nodiscard]] std::vector<RecordedRun> collect(const Experiment& experiment,
                                                const std::filesystem::path& results);
 
+/// @param read  what collect() gave, if it was asked: then no record is read again
 /// @throws InputError  a record that cannot be read: it may be of a newer version, so it is not replaced
 /// unasked
 [[nodiscard]] std::vector<PlannedRun> plan_runs(const Experiment& experiment,
-                                                const RunnerOptions& options = {});
+                                                const RunnerOptions& options = {},
+                                                const std::vector<RecordedRun>* read = nullptr);
 
 /// What run_experiment() would do: a line a run, which names its record, then the counts. Ends with a
 /// newline; runs nothing.
@@ -88,8 +92,9 @@ struct RunCounts {
 /// Runs what is not finished, in the order of the file. Every finished run is on disk before the next begins;
 /// an interrupted one leaves nothing. What names an absent mesh file is skipped, with a line in the log.
 ///
+/// @param read  as plan_runs() takes it
 /// @throws InputError  a record that cannot be read or written
 RunCounts run_experiment(const Experiment& experiment, const RunnerOptions& options = {},
-                         const RunnerHooks& hooks = {});
+                         const RunnerHooks& hooks = {}, const std::vector<RecordedRun>* read = nullptr);
 
 }  // namespace kreisel::core

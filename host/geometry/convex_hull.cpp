@@ -15,10 +15,8 @@ namespace {
 using Index = std::uint32_t;
 constexpr Index nobody = ~Index{0}, gone = nobody - 1;
 
-struct Facet {
-  Triangle corners;
-  std::array<Index, 3> beside{nobody, nobody, nobody};
-  /// Points that it sees, each kept by one facet: the first, and from there by the chain of all points.
+/// Points that a facet sees, each kept by one facet: the first, and from there by the chain of all points.
+struct Seen {
   Index first = nobody;
   Index last = nobody;  ///< `gone` of what is no facet any more
 };
@@ -31,26 +29,29 @@ class Quickhull {
     const auto first = first_tetrahedron();
     if (!first) return {};
     begin(*first);
-    for (Index f = 0; f < facets_.size();) {
-      if (facets_[f].last == gone || facets_[f].first == nobody) {
+    for (Index f = 0; f < seen_.size();) {
+      if (seen_[f].last == gone || seen_[f].first == nobody) {
         ++f;
         continue;
       }
       stop_here();
       grow(f);
-      if (gone_ > facets_.size() / 8) f = tidy(f);
+      if (gone_ > seen_.size() / 8) f = tidy(f);
     }
-    next_ = std::vector<Index>();
+    next_ = std::vector<Index>();  // {} would keep the room
     (void)tidy(0);
+    seen_ = std::vector<Seen>();
     return result();
   }
 
  private:
-  [[nodiscard]] bool sees(const Facet& f, Index point) const {
-    return orient3d(points_[f.corners[0]], points_[f.corners[1]], points_[f.corners[2]], points_[point]) > 0;
+  [[nodiscard]] bool sees(std::size_t facet, Index point) const {
+    const Triangle& t = corners_[facet];
+    return orient3d(points_[t[0]], points_[t[1]], points_[t[2]], points_[point]) > 0;
   }
-  [[nodiscard]] double height(const Facet& f, Index point) const {
-    const Vec3 &a = points_[f.corners[0]], &b = points_[f.corners[1]], &c = points_[f.corners[2]];
+  [[nodiscard]] double height(Index facet, Index point) const {
+    const Triangle& t = corners_[facet];
+    const Vec3 &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
     return (b - a).cross(c - a).dot(points_[point] - a);
   }
 
@@ -80,49 +81,60 @@ class Quickhull {
 
   void begin(const std::array<Index, 4>& t) {
     const auto [a, b, c, d] = t;
-    facets_ = {{.corners = {a, b, c}, .beside = {1, 2, 3}},
-               {.corners = {b, a, d}, .beside = {0, 3, 2}},
-               {.corners = {c, b, d}, .beside = {0, 1, 3}},
-               {.corners = {a, c, d}, .beside = {0, 2, 1}}};
+    add({a, b, c}, {1, 2, 3});
+    add({b, a, d}, {0, 3, 2});
+    add({c, b, d}, {0, 1, 3});
+    add({a, c, d}, {0, 2, 1});
     std::vector<Index> all(points_.size());
     std::iota(all.begin(), all.end(), Index{0});
     hand_out(all, 0);
   }
 
+  void add(const Triangle& corners, const std::array<Index, 3>& beside) {
+    corners_.push_back(corners);
+    beside_.push_back(beside);
+    seen_.emplace_back();
+  }
+
   /// Each point to the first facet from `from` on that sees it; who is seen by none lies inside.
   void hand_out(const std::vector<Index>& points, std::size_t from) {
     for (const Index p : points)
-      for (std::size_t f = from; f < facets_.size(); ++f)
-        if (sees(facets_[f], p)) {
-          keep(facets_[f], p);
+      for (std::size_t f = from; f < corners_.size(); ++f)
+        if (sees(f, p)) {
+          keep(seen_[f], p);
           break;
         }
   }
 
-  void keep(Facet& facet, Index point) {
-    (facet.first == nobody ? facet.first : next_[facet.last]) = point;
-    facet.last = point;
+  void keep(Seen& seen, Index point) {
+    (seen.first == nobody ? seen.first : next_[seen.last]) = point;
+    seen.last = point;
     next_[point] = nobody;
   }
 
-  void remove(Facet& facet) {
-    facet.last = gone;
+  void remove(Index facet) {
+    seen_[facet].last = gone;
     ++gone_;
   }
 
   /// Leaves out the facets that are gone, or there would be several times as many as the hull has. The others
   /// stay in their order. @return  the new number of the first one that is left from `from` on
   Index tidy(Index from) {
-    std::vector<Index> number(facets_.size());
+    std::vector<Index> number(seen_.size());
     Index kept = 0, first = 0;
-    for (Index f = 0; f < facets_.size(); ++f) {
+    for (Index f = 0; f < seen_.size(); ++f) {
       if (f == from) first = kept;
       number[f] = kept;
-      if (facets_[f].last != gone) facets_[kept++] = facets_[f];
+      if (seen_[f].last == gone) continue;
+      corners_[kept] = corners_[f];
+      beside_[kept] = beside_[f];
+      seen_[kept++] = seen_[f];
     }
-    facets_.resize(kept);
-    for (Facet& f : facets_)
-      for (Index& b : f.beside) b = number[b];
+    corners_.resize(kept);
+    beside_.resize(kept);
+    seen_.resize(kept);
+    for (std::array<Index, 3>& beside : beside_)
+      for (Index& b : beside) b = number[b];
     gone_ = 0;
     return first;
   }
@@ -139,49 +151,47 @@ class Quickhull {
       int entered, done;
     };
     std::vector<Step> stack = {{facet, 0, -1}};
-    remove(facets_[facet]);
+    remove(facet);
     while (!stack.empty()) {
       Step& step = stack.back();
       if (++step.done == 3) {
-        for (Index p = facets_[step.facet].first; p != nobody; p = next_[p]) points.push_back(p);
+        for (Index p = seen_[step.facet].first; p != nobody; p = next_[p]) points.push_back(p);
         stack.pop_back();
         continue;
       }
       const int k = (step.entered + step.done) % 3;
-      const Facet& here = facets_[step.facet];
-      const Index next = here.beside[static_cast<std::size_t>(k)];
-      if (facets_[next].last == gone) continue;
-      if (!sees(facets_[next], point)) {
-        rim.push_back({here.corners[static_cast<std::size_t>(k)],
-                       here.corners[static_cast<std::size_t>((k + 1) % 3)], next});
+      const Index next = beside_[step.facet][static_cast<std::size_t>(k)];
+      if (seen_[next].last == gone) continue;
+      if (!sees(next, point)) {
+        const Triangle& here = corners_[step.facet];
+        rim.push_back({here[static_cast<std::size_t>(k)], here[static_cast<std::size_t>((k + 1) % 3)], next});
         continue;
       }
-      remove(facets_[next]);
+      remove(next);
       const Index from = step.facet;
-      const auto at = std::ranges::find(facets_[next].beside, from) - facets_[next].beside.begin();
+      const auto at = std::ranges::find(beside_[next], from) - beside_[next].begin();
       stack.push_back({next, static_cast<int>(at), -1});
     }
   }
 
   void grow(Index facet) {
-    Index point = facets_[facet].first;
-    double most = height(facets_[facet], point);
+    Index point = seen_[facet].first;
+    double most = height(facet, point);
     for (Index p = next_[point]; p != nobody; p = next_[p])
-      if (const double h = height(facets_[facet], p); h > most) most = h, point = p;
+      if (const double h = height(facet, p); h > most) most = h, point = p;
     std::vector<Index> points;
     std::vector<HorizonEdge> rim;
     go(facet, point, points, rim);
     std::erase(points, point);
-    const std::size_t first = facets_.size(), n = rim.size();
+    const std::size_t first = corners_.size(), n = rim.size();
     for (std::size_t i = 0; i < n; ++i) {
       const HorizonEdge& e = rim[i];
-      Facet& beyond = facets_[e.beyond];
+      const Triangle& beyond = corners_[e.beyond];
       for (std::size_t k = 0; k < 3; ++k)
-        if (beyond.corners[k] == e.b && beyond.corners[(k + 1) % 3] == e.a)
-          beyond.beside[k] = static_cast<Index>(first + i);
-      facets_.push_back({.corners = {e.a, e.b, point},
-                         .beside = {e.beyond, static_cast<Index>(first + (i + 1) % n),
-                                    static_cast<Index>(first + (i + n - 1) % n)}});
+        if (beyond[k] == e.b && beyond[(k + 1) % 3] == e.a)
+          beside_[e.beyond][k] = static_cast<Index>(first + i);
+      add({e.a, e.b, point},
+          {e.beyond, static_cast<Index>(first + (i + 1) % n), static_cast<Index>(first + (i + n - 1) % n)});
     }
     hand_out(points, first);
   }
@@ -189,13 +199,10 @@ class Quickhull {
   /// @pre  tidy
   [[nodiscard]] ConvexHull result() {
     ConvexHull hull;
-    hull.facets.reserve(facets_.size());
-    hull.beside.reserve(facets_.size());
-    for (const Facet& f : facets_) {
-      hull.facets.push_back(f.corners);
-      hull.beside.push_back(f.beside);
-    }
-    facets_ = std::vector<Facet>();                     // {} would keep the room
+    hull.facets = std::move(corners_);
+    hull.beside = std::move(beside_);
+    hull.facets.shrink_to_fit();
+    hull.beside.shrink_to_fit();
     hull.vertices.reserve(hull.facets.size() / 2 + 2);  // Euler's formula
     std::vector<Index> vertex_number(points_.size(), nobody);
     for (Triangle& t : hull.facets)
@@ -212,7 +219,10 @@ class Quickhull {
 
   std::span<const Vec3> points_;
   std::vector<Index> next_;  ///< of each point that a facet keeps
-  std::vector<Facet> facets_;
+  /// Of each facet: apart, for a large hull fills the memory, and takes two of them as they are.
+  std::vector<Triangle> corners_;
+  std::vector<std::array<Index, 3>> beside_;
+  std::vector<Seen> seen_;
   std::size_t gone_ = 0;
 };
 

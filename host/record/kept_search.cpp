@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <new>
+#include <stdexcept>
 #include <system_error>
 
 #include "error.hpp"
@@ -18,11 +20,20 @@ std::map<std::string, std::string> without_seed(const NestConfig& config) {
   return fields;
 }
 
-std::optional<NestCheckpoint> read_if_any(const fs::path& file) {
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) return std::nullopt;
+/// @throws InputError  whatever is wrong with it, a table of more numbers than there is memory for included
+NestCheckpoint read_safely(const fs::path& file) {
   try {
     return read_checkpoint(file);
+  } catch (const std::bad_alloc&) {
+    throw InputError(fmt::format("{}: more numbers than there is memory for", file.string()));
+  } catch (const std::length_error&) {
+    throw InputError(fmt::format("{}: more numbers than any memory holds", file.string()));
+  }
+}
+
+std::optional<NestCheckpoint> read_if_sound(const fs::path& file) {
+  try {
+    return read_safely(file);
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -31,9 +42,12 @@ std::optional<NestCheckpoint> read_if_any(const fs::path& file) {
 }  // namespace
 
 std::optional<NestCheckpoint> KeptSearch::begun(const NestConfig& config) const {
-  std::optional<NestCheckpoint> found = read_if_any(file_);
-  const bool same = found && describe(found->config) == describe(config);
-  return same && found->state.phase != nest::SearchState::over ? found : std::nullopt;
+  std::error_code ignored;
+  if (!fs::exists(file_, ignored)) return std::nullopt;
+  NestCheckpoint found = read_safely(file_);
+  const bool same = describe(found.config) == describe(config);
+  if (!same || found.state.phase == nest::SearchState::over) return std::nullopt;
+  return found;
 }
 
 void KeptSearch::keep(const NestCheckpoint& checkpoint) const { write_checkpoint(file_, checkpoint); }
@@ -46,7 +60,7 @@ std::vector<double> KeptSearch::better_elsewhere(const NestCheckpoint& mine) con
   for (const fs::directory_entry& entry : fs::directory_iterator(file_.parent_path(), ignored)) {
     if (entry.path().extension() != file_.extension() || entry.path().filename() == file_.filename())
       continue;
-    const std::optional<NestCheckpoint> other = read_if_any(entry.path());
+    const std::optional<NestCheckpoint> other = read_if_sound(entry.path());
     if (!other || !(other->state.scale > scale) || without_seed(other->config) != search) continue;
     scale = other->state.scale;
     best = other->state.best;

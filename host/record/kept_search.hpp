@@ -10,13 +10,14 @@
 namespace kreisel::core {
 
 /// A search over placements that is kept on its way. Islands are such searches that differ in their seed
-/// alone and keep their checkpoints in one folder, with one extension. Files that cannot be read, or are of
-/// other searches, are passed over.
+/// alone and keep their checkpoints in one folder, with one extension. Of the others' files those that cannot
+/// be read, or are of other searches, are passed over.
 class KeptSearch {
  public:
   explicit KeptSearch(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// What is there of this search; nothing where it has come to its end.
+  /// What is there of this search; nothing where there is no file, or it has come to its end.
+  /// @throws InputError  a file that cannot be read
   [[nodiscard]] std::optional<NestCheckpoint> begun(const NestConfig& config) const;
 
   /// The file appears whole or not at all. @throws InputError  the folder cannot be written

@@ -73,8 +73,8 @@ Record read_record(const std::filesystem::path& path) {
   if (file.has("error")) record.error = file.text("error");
   if (!record.error.empty())
     record.summary = summary_of_failure(file, path);
-  else if (const nlohmann::json kept = fields::kept_summary(file); kept.is_object())
-    record.summary = kept;
+  else if (Summary kept = fields::kept_summary(file); !kept.empty())
+    record.summary = std::move(kept);
   else
     record.summary = kind.summary(path);
   return record;
@@ -91,6 +91,15 @@ Standing standing_of_record(const std::filesystem::path& path) {
     standing.error = file.text("error");
   else if (kind.kind == RecordKind::map)
     standing.complete = file.integer("complete") != 0;
+  return standing;
+}
+
+Standing standing_of(const Record& record) {
+  Standing standing{record.kind, record.error, "", true};
+  if (const nlohmann::json host = record.summary.at("provenance.host"); host.is_string())
+    standing.host = host.get<std::string>();
+  if (record.kind == RecordKind::map && record.error.empty())
+    standing.complete = record.summary.at("termination") == "complete";
   return standing;
 }
 

@@ -38,6 +38,8 @@ struct Standing {
 
 /// @throws InputError  as kind_of_record()
 [[nodiscard]] Standing standing_of_record(const std::filesystem::path& path);
+/// The same of one that is read.
+[[nodiscard]] Standing standing_of(const Record& record);
 
 /// The file itself, or every record in the folder and those below it, sorted.
 /// @throws InputError  nothing there, or no records in it

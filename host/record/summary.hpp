@@ -16,6 +16,11 @@ class Summary {
   Summary() = default;
   /// @param object  an object; what is none has no values
   Summary(const nlohmann::json& object);
+  /// Of an object as text, which is packed as it is read: no tree of it is made.
+  /// @return  without values where it is no object, or not whole
+  [[nodiscard]] static Summary of_text(std::string_view text);
+
+  [[nodiscard]] bool empty() const { return !names_; }
 
   /// The value at "seconds.solve" or "voids.0.volume"; null where there is nothing.
   [[nodiscard]] nlohmann::json at(std::string_view path) const;
@@ -24,6 +29,12 @@ class Summary {
 
  private:
   using Names = std::vector<std::string>;
+  struct Value {
+    std::string name;
+    std::uint32_t begins, ends;  ///< in the bytes
+  };
+  class Packing;
+  Summary(std::vector<Value> values, const std::vector<std::uint8_t>& bytes);
   [[nodiscard]] nlohmann::json unpacked(std::size_t index) const;
 
   const Names* names_ = nullptr;       ///< of the values, sorted; one for all summaries that have the same

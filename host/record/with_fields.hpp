@@ -15,9 +15,9 @@ namespace kreisel::core::fields {
 /// text each. Not a long one, which would double the file.
 void keep_summary(ToHdf5& file, const nlohmann::json& summary);
 
-/// The summary as it was kept; null where there is none, or where another program than this wrote it: then
-/// what is said of a run may be more today.
-[[nodiscard]] nlohmann::json kept_summary(const hdf5::File& file);
+/// The summary as it was kept; without values where there is none, or where another program than this wrote
+/// it: then what is said of a run may be more today.
+[[nodiscard]] Summary kept_summary(const hdf5::File& file);
 
 /// Temporary name in the same folder, then renamed. @throws InputError  the folder cannot be written
 template <class Describe>

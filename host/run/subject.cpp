@@ -4,6 +4,7 @@
 
 #include "body/mesh_moments.hpp"
 #include "body/source.hpp"
+#include "error.hpp"
 #include "mesh/solid/components.hpp"
 #include "mesh/solid/repair.hpp"
 #include "problem/problem.hpp"
@@ -33,7 +34,13 @@ Subject subject_of_mesh(const RunConfig& config, device::Device& device) {
   source.mesh = outermost(whole);
   Subject subject;
   subject.config = config;
-  subject.solid = make_body(spec, std::move(source), device);
+  try {
+    subject.solid = make_body(spec, std::move(source), device);
+  } catch (const InputError&) {
+    source.mesh = std::move(whole);
+    require_unit_said(spec, source);  // in another unit all may be right
+    throw;
+  }
   const Body& body = subject.solid;
   subject.hollow = whole.triangles.size() != body.mesh.triangles.size();
   // As make_body() has scaled it.

@@ -187,6 +187,18 @@ Stages Session::stages(const Asked& question, const Control& control, Along rays
   stages.device = device_of(question);
   stages.opening_seconds = opening.seconds();
   control.tell("set-up");
+  const std::shared_ptr<const Source> source = solid(question);
+  try {
+    lay_out(stages, question, asked, control, rays);
+  } catch (const InputError&) {
+    if (!given_) require_unit_said(question.body, *source);  // in another unit all may be right
+    throw;
+  }
+  return stages;
+}
+
+void Session::lay_out(Stages& stages, const Asked& question, const ProblemEntry& asked,
+                      const Control& control, Along rays) {
   const BodySpec spec = asked.posed(question.body);
   const std::shared_ptr<const Body> body = body_of(question, spec, stages.device);
   control.stop_if_asked();
@@ -200,7 +212,6 @@ Stages Session::stages(const Asked& question, const Control& control, Along rays
   stages.mass = hollowed(*stages.body, laid->domain->interior());
   stages.formulation = formulation_of(question, *laid, *stages.problem, stages.device);
   control.stop_if_asked();
-  return stages;
 }
 
 std::shared_ptr<Session::OfDeformed> Session::deformed(const RunConfig& question, const Stages& stages,

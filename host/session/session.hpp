@@ -158,6 +158,8 @@ class Session {
 
   template <class Key, class Value, class Make>
   std::shared_ptr<Value> stage(std::string_view name, Kept<Key, Value>& kept, Key key, const Make& make);
+  void lay_out(Stages& stages, const Asked& question, const ProblemEntry& asked, const Control& control,
+               Along rays);
   std::shared_ptr<device::Device> device_of(const Asked& question);
   std::shared_ptr<const Body> body_of(const Asked& question, const BodySpec& spec,
                                       const std::shared_ptr<device::Device>& device);

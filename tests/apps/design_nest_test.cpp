@@ -11,7 +11,9 @@
 #include "apps/run_design.hpp"
 #include "body/mesh_moments.hpp"
 #include "mesh/io/read.hpp"
+#include "mesh/io/write.hpp"
 #include "mesh/query/distance.hpp"
+#include "mesh/shapes.hpp"
 #include "mesh/solid/check.hpp"
 #include "mesh/solid/self_intersections.hpp"
 #include "nest/decide/exact.hpp"
@@ -48,6 +50,31 @@ TEST_F(DesignNest, HeedsKeepOuts) {
   EXPECT_EQ(a.code, 2) << a.out;
   EXPECT_NE(a.out.find("no vertex of the outer shape lies in it"), std::string::npos) << a.out;
   EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(DesignNest, TheUnitOfTheOuterShapeIsAskedForFirst) {
+  for (const double size : {0.06, 60'000.0}) {
+    write_mesh(file("part.off"), {box_mesh({0, 0, 0}, {size, size, size / 2})});
+    for (const char* others : {"", "duck --fineness 12", "--wall 1.2mm"}) {
+      const BenchAnswer a = run(fmt::format("{} {} -o {}", file("part.off"), others, file("doll.stl")));
+      EXPECT_EQ(a.code, 2) << a.out;
+      EXPECT_NE(
+          a.out.find(size < 1 ? "does not say in what unit; expected --unit mm (0.06 mm), cm (0.6 mm), m (60 "
+                                "mm), in (1.524 mm), or --size"
+                              : "does not say in what unit; expected --unit mm (6e+04 mm)"),
+          std::string::npos)
+          << a.out;
+      EXPECT_EQ(std::ranges::count(a.out, '\n'), 1) << a.out;
+      EXPECT_EQ(files(), 1u);
+    }
+  }
+  write_mesh(file("part.off"), {box_mesh({0, 0, 0}, {0.06, 0.06, 0.03})});
+  // Whose size is said it is judged by that: of 60 and 50 mm.
+  for (const auto& [said, wall] : {std::pair("--unit m", "0.6 mm"), {"--size 50", "0.5 mm"}}) {
+    const BenchAnswer a = run(fmt::format("{} {} --wall 1% -o {}", file("part.off"), said, file("doll.stl")));
+    EXPECT_EQ(a.code, 2) << a.out;
+    EXPECT_NE(a.out.find(fmt::format("a wall of {} is thinner", wall)), std::string::npos) << a.out;
+  }
 }
 
 TEST_F(DesignNest, WritesPartsThatComeApart) {

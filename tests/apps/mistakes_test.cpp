@@ -305,5 +305,16 @@ TEST_F(BenchExperiment, IntoAFileInsteadOfAFolderIsRefused) {
                   "plain/trial: Not a directory, expected a folder for results");
 }
 
+TEST(BenchMistakes, WhatComesToNothingOfAFileWithoutAUnitAsksForIt) {
+  const TemporaryFolder folder;
+  const std::string name = (folder.path / "part.off").string();
+  write_mesh(name, {box_mesh({0, 0, 0}, {0.06, 0.06, 0.03})});
+  for (const std::string command : {"--wall 1.2", "map --axes 20 --wall 1.2", "simulate --contact 5,5,5"}) {
+    const std::size_t words = command.starts_with("--") ? 0 : command.find(' ');
+    expect_one_line(bench(command.substr(0, words) + " --model " + name + " " + command.substr(words)),
+                    "does not say in what unit; expected --unit mm (0.06 mm), cm (0.6 mm), m (60 mm)");
+  }
+}
+
 }  // namespace THIS_FILE
 }  // namespace kreisel::core

@@ -1,19 +1,25 @@
 #!/usr/bin/env bash
-# Experiments submitted to a Slurm of this machine's own (cluster.sh).   slurm.sh BUILD [KILLS]
+# Experiments submitted to a Slurm of this machine's own (cluster.sh).   slurm.sh BUILD [KILLS] [short]
 # While sweeps of runs are at work, tasks are killed KILLS times in all (default 3), at random moments: two times of three
 # a task, else the whole of a node's slurmd. Every record must be there once, whole, and the same as a run without a
 # cluster makes it. Then a search is told that its time is over: it is queued again, goes on, and finds what it finds alone.
+# `short` is of smaller runs and a shorter search, for ctest.
 set -euo pipefail
 build=$(cd "$1" && pwd)
 kills=${2:-3}
+case "${3:-}" in
+  "") models='"ellipsoid", "bird", "heart"' resolutions='56, 60, 64, 68' particles=40 iterations=80 runs=12 ;;
+  short) models='"ellipsoid", "bird"' resolutions='40, 44, 48' particles=12 iterations=30 runs=6 ;;
+  *) echo "slurm.sh: '$3'; expected short, or nothing" >&2; exit 2 ;;
+esac
 . "$(dirname "$0")/cluster.sh"
 
 cat > "$at/sweep.toml" <<TOML
 title = "a sweep"
 part = "none"
 [[run]]
-model = ["ellipsoid", "bird", "heart"]
-resolution = [56, 60, 64, 68]
+model = [$models]
+resolution = [$resolutions]
 formulation = "rayrep"
 TOML
 cat > "$at/search.toml" <<TOML
@@ -22,8 +28,8 @@ table = "nestings"
 [[run]]
 outer = "heart"
 free = "all"
-particles = 40
-iterations = 80
+particles = $particles
+iterations = $iterations
 exchange = 1          # an island alone: its checkpoint is written at every iteration, and stays
 TOML
 "$build/bench" run "$at/sweep.toml" --results "$at/alone" >"$at/alone.txt" 2>&1
@@ -33,7 +39,7 @@ whole() {  # RESULTS
   local count
   "$build/bench" watch "$at/sweep.toml" --results "$1"
   count=$(find "$1/sweep" -name '*.h5' | wc -l)
-  [ "$count" = 12 ] || { echo "slurm.sh: $count records; expected 12" >&2; exit 1; }
+  [ "$count" = $runs ] || { echo "slurm.sh: $count records; expected $runs" >&2; exit 1; }
   [ -z "$(find "$1/sweep" -maxdepth 1 -type f ! -name '*.h5' ! -name '*.tmp')" ] || { echo "slurm.sh: something half-written is left" >&2; exit 1; }
   "$build/bench" show "$1/sweep" --columns model,resolution,objective --json "$at/there.json" >/dev/null
   "$build/bench" show "$at/alone/sweep" --columns model,resolution,objective --json "$at/here.json" >/dev/null
@@ -82,7 +88,7 @@ until [ $sweeps -gt 0 ] && [ $killed -ge "$kills" ]; do
   done
   whole "$results"
 done
-echo "slurm.sh: $((12 * sweeps)) records of $((12 * sweeps)) in $sweeps sweeps, $killed kills, none lost or doubled, objectives as without a cluster"
+echo "slurm.sh: $((runs * sweeps)) records of $((runs * sweeps)) in $sweeps sweeps, $killed kills, none lost or doubled, objectives as without a cluster"
 
 # --- out of time, as Slurm says it a minute before
 wait_for 60 idle

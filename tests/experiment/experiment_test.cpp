@@ -139,12 +139,12 @@ TEST(Experiment, TakesMapsBesideNothingElse) {
       "table = 'maps'\naxes = 50\n[[run]]\nproblem = 'float'\ndrafts = '20%,40%'\n"
       "[[run]]\nthrough = ['lowest', 'centre']");
   ASSERT_EQ(maps.runs.size(), 3u);
-  const auto& floats = std::get<MapRun>(maps.runs[0].run);
+  const auto& floats = std::get<MapRun>(*maps.runs[0].run);
   EXPECT_EQ(floats.formulation, "quadric");
   EXPECT_EQ(floats.axes, 50);
   EXPECT_EQ(floats.drafts, (std::vector<std::string>{"20%", "40%"}));
   EXPECT_EQ(describe(floats).at("drafts"), "20%,40%");
-  EXPECT_EQ(std::get<MapRun>(maps.runs[2].run).through, Through::centre);
+  EXPECT_EQ(std::get<MapRun>(*maps.runs[2].run).through, Through::centre);
   EXPECT_NE(run_name(maps.runs[1].run), run_name(maps.runs[2].run));
   EXPECT_TRUE(run_name(maps.runs[1].run).starts_with("ellipsoid-64-spin-map-"));
   refuses("[[run]]\naxes = 0", 2, {"axes", ">= 1"});
@@ -311,7 +311,7 @@ TEST(SolverSettings, VaryOneFactorAtATimeAroundTheDefaults) {
   const auto experiment = read_experiment(data_folder() / "experiments" / "solver_settings.toml");
   std::map<std::string, int> defaults;
   for (const auto& [run, label, mesh] : experiment.runs) {
-    const auto& config = std::get<RunConfig>(run);
+    const auto& config = std::get<RunConfig>(*run);
     auto settings = config.settings;
     settings.erase("ipopt.max_iter");
     settings.erase("ipopt.max_cpu_time");
@@ -330,7 +330,7 @@ TEST(RayrepTable2, SolvesThePapersSevenGridsThreeWaysUnderTwoLabels) {
   const auto experiment = read_experiment(data_folder() / "experiments" / "rayrep_table2.toml");
   std::map<std::string, int> count;
   for (const auto& [run, label, mesh] : experiment.runs) {
-    const auto& config = std::get<RunConfig>(run);
+    const auto& config = std::get<RunConfig>(*run);
     ++count[label + ' ' + config.formulation];
     EXPECT_EQ(config.problem, "spin");
     EXPECT_EQ(config.repeat, config.formulation == "quadric" ? 51 : 3);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <memory>
 
 #include "experiment/experiment_table.hpp"
@@ -7,6 +8,7 @@
 #include "experiment/runner.hpp"
 #include "nest/search/baseline.hpp"
 #include "record/kept_search.hpp"
+#include "record/nest_record.hpp"
 #include "refusal.hpp"
 #include "table/data_folder.hpp"
 #include "table/experiment_run.hpp"
@@ -140,6 +142,48 @@ TEST_F(NestExperiment, GoesOnWithASearchThatWasStoppedAndKeepsNothingOfIt) {
   EXPECT_EQ(records_in(options_.results).size(), 2u) << "a checkpoint is no record";
 }
 
+TEST_F(NestExperiment, BeginsASearchAnewWhoseCheckpointIsDamagedAndSaysSo) {
+  experiment_ = parse_experiment(
+      "table = 'nestings'\nouter = 'cuboid'\nfree = 'position'\nparticles = 6\niterations = 4\nclimbs = 0\n"
+      "[[run]]",
+      "t.toml");
+  std::optional<NestCheckpoint> last;
+  hooks_.nest = [&](const NestConfig& config, const NestHooks& given) {
+    NestHooks hooks = given;
+    hooks.keep = [&](const NestCheckpoint& now) { last = now; };
+    hooks.on_iteration = [](const nest::SearchState& state) { return state.trace.size() < 3; };
+    return run_nest(config, hooks);
+  };
+  options_.force = true;
+  ASSERT_EQ(run_experiment(experiment_, options_, hooks_).done, 1);
+  ASSERT_TRUE(last);
+  const auto record = record_path(options_.results, "t", experiment_.runs[0]);
+  const auto kept = checkpoint_of(record, experiment_.runs[0].nesting());
+  hooks_.nest = run_nest;
+  std::vector<std::string> said;
+  hooks_.remark = [&](const ExperimentRun&, const std::string& line) { said.push_back(line); };
+  const auto scale = [&] {
+    EXPECT_EQ(run_experiment(experiment_, options_, hooks_).done, 1);
+    EXPECT_FALSE(std::filesystem::exists(kept));
+    return read_record(record).summary.at("scale").get<double>();
+  };
+  const double whole = scale();
+  EXPECT_TRUE(said.empty());
+  write_checkpoint(kept, *last);
+  EXPECT_EQ(scale(), whole) << "a sound one goes on";
+  EXPECT_TRUE(said.empty());
+  // Of the right search, but its numbers are none of a search's; then torn.
+  last->state.swarm.v.pop_back();
+  write_checkpoint(kept, *last);
+  EXPECT_EQ(scale(), whole);
+  std::ofstream(kept) << "torn";
+  EXPECT_EQ(scale(), whole);
+  ASSERT_EQ(said.size(), 2u);
+  for (const std::string& line : said)
+    EXPECT_TRUE(line.starts_with("begins anew, its checkpoint is damaged: "));
+  EXPECT_NE(said[1].find(kept.string()), std::string::npos) << said[1];
+}
+
 TEST_F(NestExperiment, SetsOutSettingsOverTheirSeeds) {
   experiment_ = parse_experiment(
       "table = 'nest-variants'\nouter = 'bear'\nfree = 'all'\nseed = [1, 2, 3]\n[[run]]\ntopology = "
@@ -219,7 +263,8 @@ TEST(NestExperiments, CallNothingAsPublishedThatIsNot) {
   std::size_t called = 0;
   for (const std::string& name : experiment_names())
     for (const ExperimentRun& run : read_experiment(data_folder() / "experiments" / (name + ".toml")).runs) {
-      if (!std::holds_alternative<NestConfig>(run.run) || run.label.find("as published") == std::string::npos)
+      if (!std::holds_alternative<NestConfig>(*run.run) ||
+          run.label.find("as published") == std::string::npos)
         continue;
       ++called;
       const nest::SwarmOptions& swarm = part_of<NestSearch>(run.nesting())->search.swarm;

@@ -61,7 +61,7 @@ int run_experiment(const ExperimentOptions& options) {
   look_for_files_in(options.models);
   if (!options.csv_file.empty()) require_writable(options.csv_file, "--csv");
   if (!options.device.empty())
-    for (ExperimentRun& run : experiment.runs) set_field(run.run, "device", options.device);
+    for (ExperimentRun& run : experiment.runs) set_field(run.run.changed(), "device", options.device);
 
   const bool whole = options.shard.empty();
   if (!whole) experiment = share_of(experiment, shard_of(options.shard));
@@ -75,10 +75,16 @@ int run_experiment(const ExperimentOptions& options) {
   }
   RunnerHooks hooks;
   hooks.stop = interruption();
-  const RunCounts counts = kreisel::core::run_experiment(experiment, runner, hooks);
+  // What a table is made of tells what is finished, too: where there is nothing to run, records are read
+  // once.
+  const bool tabled = whole || !options.csv_file.empty(), read_first = tabled && !options.force;
+  std::vector<RecordedRun> runs;
+  if (read_first) runs = collect(experiment, runner.results);
+  const RunCounts counts =
+      kreisel::core::run_experiment(experiment, runner, hooks, read_first ? &runs : nullptr);
 
-  if (whole || !options.csv_file.empty()) {
-    const std::vector<RecordedRun> runs = collect(experiment, runner.results);
+  if (tabled) {
+    if (!read_first || counts.done + counts.failed > 0) runs = collect(experiment, runner.results);
     if (whole) fmt::print("{}\n", table_text(experiment, runs));
     if (!options.csv_file.empty()) write_text(options.csv_file, table_csv(experiment, runs));
   }

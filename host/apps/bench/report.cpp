@@ -16,6 +16,8 @@
 #include <optional>
 #include <set>
 #include <unordered_set>
+#include <utility>
+#include <vector>
 
 #include "apps/bench/commands.hpp"
 #include "apps/shared/outputs.hpp"
@@ -118,7 +120,7 @@ json made_of(const std::vector<RecordedRun>& runs) {
 /// What the page says of an experiment; null where none of its runs is on record.
 /// @param folder  for what figures are drawn of beside the records
 json section_of(const Experiment& experiment, const fs::path& results, const fs::path& folder) {
-  const std::vector<RecordedRun> runs = collect(experiment, results);
+  std::vector<RecordedRun> runs = collect(experiment, results);
   json records = json::array();
   std::unordered_set<std::string> known;
   std::size_t missing = 0;
@@ -130,7 +132,7 @@ json section_of(const Experiment& experiment, const fs::path& results, const fs:
       records.push_back(path);
   }
   if (records.empty()) return nullptr;
-  json section = to_json(tables_of(experiment, runs));
+  json section;
   section["name"] = experiment.name;
   section["title"] = experiment.title;
   section["about"] = experiment.about;
@@ -139,10 +141,13 @@ json section_of(const Experiment& experiment, const fs::path& results, const fs:
     section["simulations"] = simulations_of(runs, folder / experiment.name);
   section["published"] =
       experiment.published.empty() ? json(nullptr) : json(published_file(experiment.published).string());
-  section["records"] = records;
+  section["records"] = std::move(records);
   section["made"] = made_of(runs);
   section["runs"] = runs.size();
   section["missing"] = missing;
+  const Tables tables = tables_of(experiment, runs);
+  runs = std::vector<RecordedRun>();  // of a large sweep half of the memory
+  section.update(to_json(tables));
   return section;
 }
 

@@ -70,6 +70,10 @@ void add_nest_options(CLI::App& app, NestArguments& arguments) {
   app.add_option_function<std::string>(
       "--size", [&](const std::string& text) { arguments.options.say("outer-size", text); },
       "longest side of the outer shape in mm; default as the model is");
+  offer(app.add_option_function<std::string>(
+            "--unit", [&](const std::string& text) { arguments.spec.unit = find_length_unit(text); },
+            "of the outer shape, an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm"),
+        names_in(length_units));
   arguments.options.add_some(app, {&find_run_kind("layers")},
                              {"layers", "printer-accuracy", "free", "up", "plane", "removal", "keep-out",
                               "fineness", "particles", "iterations", "seed", "seconds", "cells", "device"});

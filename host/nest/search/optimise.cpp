@@ -16,7 +16,17 @@
 namespace kreisel::core::nest {
 namespace {
 
-/// A checkpoint may come from a file: whatever is read of it has the length that this search gives it.
+bool all_finite(const std::vector<double>& numbers) {
+  return std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
+}
+
+/// What counts iterations or starts of the swarms: each from 0 to `most`.
+bool counts_up_to(int most, const std::vector<int>& numbers) {
+  return std::ranges::all_of(numbers, [&](int number) { return number >= 0 && number <= most; });
+}
+
+/// A checkpoint may come from a file: whatever is read of it has the length that this search gives it, and
+/// values that it can have. @throws UnfitState
 void require_same_search(const SearchState& state, const Space& space,
                          const PlacementSearchOptions& options) {
   const auto size = static_cast<std::size_t>(space.size()), steps = static_cast<std::size_t>(space.steps()),
@@ -24,19 +34,33 @@ void require_same_search(const SearchState& state, const Space& space,
              swarms = static_cast<std::size_t>(options.swarm.swarms);
   const SwarmState& s = state.swarm;
   if (s.x.size() != size * particles)
-    throw InputError(fmt::format("a checkpoint of {} numbers; expected {}: {} particles of {}", s.x.size(),
+    throw UnfitState(fmt::format("a checkpoint of {} numbers; expected {}: {} particles of {}", s.x.size(),
                                  size * particles, particles, size));
   const auto none_or = [](std::size_t n, std::size_t expected) { return n == 0 || n == expected; };
+  const ClimbState& c = state.climb;
   const bool climbing = state.phase == SearchState::climbing;
-  const bool same = s.v.size() == s.x.size() && s.own.size() == s.x.size() &&
-                    s.own_value.size() == particles && s.rose.size() == swarms && s.drawn.size() == swarms &&
-                    s.placed.size() == swarms && s.top.size() == swarms && none_or(s.best.size(), size) &&
-                    none_or(state.best.size(), size) && !state.trace.empty() &&
-                    (!climbing || (state.climb.x.size() == size && state.climb.path.size() == steps &&
-                                   state.climb.covariance.size() == steps * steps));
+  const bool same =
+      s.v.size() == s.x.size() && s.own.size() == s.x.size() && s.own_value.size() == particles &&
+      s.rose.size() == swarms && s.drawn.size() == swarms && s.placed.size() == swarms &&
+      s.top.size() == swarms && none_or(s.best.size(), size) && none_or(state.best.size(), size) &&
+      !state.trace.empty() &&
+      (!climbing || (c.x.size() == size && c.path.size() == steps && c.covariance.size() == steps * steps));
   if (!same)
-    throw InputError(fmt::format("a checkpoint that does not fit; expected one of {} swarms over {} numbers",
+    throw UnfitState(fmt::format("a checkpoint that does not fit; expected one of {} swarms over {} numbers",
                                  swarms, size));
+  const bool possible =
+      s.iteration >= 0 && s.iteration <= options.swarm.iterations && counts_up_to(s.iteration, s.rose) &&
+      counts_up_to(s.iteration, s.drawn) && counts_up_to(options.swarm.candidates + 1, s.placed) &&
+      state.climbs >= 0 && state.climbs <= options.climbs && state.scale >= 0 && std::isfinite(state.scale) &&
+      all_finite(s.x) && all_finite(s.v) && all_finite(s.own) && all_finite(s.best) &&
+      all_finite(state.best) &&
+      (!climbing || (c.iteration >= 0 && std::isfinite(c.step) && std::isfinite(c.success) &&
+                     all_finite(c.x) && all_finite(c.path) && all_finite(c.covariance)));
+  if (!possible)
+    throw UnfitState(
+        fmt::format("a checkpoint with numbers that no search has; expected finite ones, after at most {} "
+                    "iterations and {} climbs",
+                    options.swarm.iterations, options.climbs));
 }
 
 void run_swarm(OptimiseResult& result, const Asking& asking, const OptimiseSpec& spec,

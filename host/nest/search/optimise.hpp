@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "device/device.hpp"
+#include "error.hpp"
 #include "nest/search/placement_search.hpp"
 
 namespace kreisel::core::nest {
@@ -48,8 +49,14 @@ struct OptimiseResult {
 /// Told after every iteration; false stops the search, which keeps its best.
 using OnIteration = std::function<bool(const SearchState& state)>;
 
+/// A state to go on from is none of this search, or is damaged.
+struct UnfitState : InputError {
+  using InputError::InputError;
+};
+
 /// Runs the search, from `resume` on where that is given.
-/// @throws InputError  an unknown variant or test, invalid options, a state of another search
+/// @throws InputError  an unknown variant or test, invalid options
+/// @throws UnfitState  by `resume`
 [[nodiscard]] OptimiseResult optimise(const Nesting& nesting, device::Device& device,
                                       const OptimiseSpec& spec, const OnIteration& on_iteration = {},
                                       const SearchState* resume = nullptr);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 #include "mesh/query/surface_rays.hpp"
 #include "nest/decide/exact.hpp"
@@ -117,6 +119,17 @@ TEST(Optimise, StartsDeepInsideAndRefusesUnknownNamesAndForeignCheckpoints) {
   spec.search.swarm.particles = 21;
   expect_refusal([&] { (void)optimise(egg(), test_device(), spec, {}, &result.state); }, "a checkpoint of",
                  {"21 particles"});
+  spec.search.swarm.particles = quick("all").search.swarm.particles;
+  const auto expect_damage = [&](const std::function<void(SearchState&)>& damage) {
+    SearchState state = result.state;
+    damage(state);
+    EXPECT_THROW((void)optimise(egg(), test_device(), spec, {}, &state), UnfitState);
+  };
+  expect_damage([](SearchState& s) { s.swarm.v.pop_back(); });
+  expect_damage([](SearchState& s) { s.swarm.x.front() = std::numeric_limits<double>::quiet_NaN(); });
+  expect_damage([](SearchState& s) { s.swarm.iteration = -1; });
+  expect_damage([](SearchState& s) { s.swarm.placed.front() = std::numeric_limits<int>::max(); });
+  expect_damage([](SearchState& s) { s.scale = std::numeric_limits<double>::infinity(); });
   spec.variant = "hybird";
   expect_refusal([&] { (void)optimise(egg(), test_device(), spec); }, "variant 'hybird' is unknown",
                  {"did you mean 'hybrid'"});
