@@ -162,6 +162,23 @@ void add_questions(py::module_& m) {
 }
 
 void add_solutions(py::module_& m) {
+  py::class_<Deformation>(m, "Deformation", "What became of a body whose shape was free to change; mm.")
+      .def_readonly("reached", &Deformation::reached, "all (that was asked), constraints or nothing.")
+      .def_readonly("largest_mm", &Deformation::largest_mm, "Largest displacement of a vertex.")
+      .def_readonly("largest_percent", &Deformation::largest_percent, "The same, of the longest side.")
+      .def_readonly("where", &Deformation::where, "Where that vertex was.")
+      .def_readonly("volume_before_mm3", &Deformation::volume_before_mm3)
+      .def_readonly("volume_after_mm3", &Deformation::volume_after_mm3)
+      .def_readonly("least_determinant", &Deformation::least_determinant,
+                    "Of the motion: how much space shrinks anywhere.")
+      .def_property_readonly(
+          "before",
+          [](const py::object& self) { return views_of(self.cast<const Deformation&>().before, self); },
+          "(vertices, triangles): (n, 3) float64 and (m, 3) uint32, read-only.")
+      .def_property_readonly(
+          "after",
+          [](const py::object& self) { return views_of(self.cast<const Deformation&>().after, self); },
+          "The same after: vertex i was vertex i of before.");
   py::class_<Solution>(m, "Solution", "The answer to a question, before anything is meshed.")
       .def_readonly("question", &Solution::question)
       .def_property_readonly(
@@ -194,6 +211,8 @@ void add_solutions(py::module_& m) {
                              })
       .def_readonly("bound", &Solution::bound,
                     "No interior of the domain has less; None where not asked for.")
+      .def_readonly("deformation", &Solution::deformation,
+                    "Deformation, where the question asked for one (deform=\"least\" or \"5%\"); else None.")
       .def_readonly("unmet", &Solution::unmet, "Where infeasible: what cannot be met.")
       .def_readonly("verdict", &Solution::verdict, "Of these moments; not of a mesh.")
       .def_readonly("rotation", &Solution::rotation, "x_body = rotation (x - origin) / length_mm")

@@ -9,6 +9,7 @@
 #include "body/mesh_moments.hpp"
 #include "deform/handles.hpp"
 #include "deform/separation.hpp"
+#include "error.hpp"
 #include "mesh/solid/self_intersections.hpp"
 #include "mesh/solid/simplify.hpp"
 #include "stop.hpp"
@@ -68,6 +69,7 @@ class Search {
   /// As far as derivatives are trusted.
   [[nodiscard]] double most_of_step() const { return 0.04 * move_.longest_side(); }
 
+  Shape shape_here();
   /// Looks at the shape here. @return  it
   Shape look(bool also);
   /// Steps towards what meets `also`, too, or not; with `polish` then towards the least that does. Leaves the
@@ -85,13 +87,27 @@ class Search {
   LeastMove move_;
 
   State here_;
-  HandleRows rows_;  ///< of the quadrics, about here
+  std::optional<Eigen::MatrixX3d> looked_at_;  ///< handles of the last shape that there was
+  HandleRows rows_;                            ///< of the quadrics, about here
   std::optional<State> best_;
 };
 
+/// Where a step leaves no interior, half of it is taken, and less.
+Shape Search::shape_here() {
+  constexpr int most_halves = 8;
+  for (int halves = 0;; ++halves) try {
+      Shape shape(body_, move_.motion().moved(here_.u), rays_, device_);
+      looked_at_ = here_.u;
+      return shape;
+    } catch (const InputError&) {
+      if (!looked_at_ || halves == most_halves) throw;
+      here_.u = (here_.u + *looked_at_) / 2;
+    }
+}
+
 Shape Search::look(bool also) {
   control_.stop_if_asked();
-  Shape shape(body_, move_.motion().moved(here_.u), rays_, device_);
+  Shape shape = shape_here();
   Separated found = separation_.look(shape, move_.motion(), here_.u, also);
   rows_ = std::move(found.rows);
   const double shrunk = options_.move.least_determinant - move_.least_determinant(here_.u);

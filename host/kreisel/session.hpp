@@ -62,6 +62,18 @@ class KREISEL_API Body {
   std::shared_ptr<const State> state_;
 };
 
+/// What became of a body whose shape was free to change (the field `deform`). Model coordinates, mm.
+/// [docs/deformation.md]
+struct Deformation {
+  std::string reached;         ///< all (that was asked), constraints (it balances, no more) or nothing
+  double largest_mm = 0;       ///< displacement of a vertex
+  double largest_percent = 0;  ///< the same, of the longest side
+  Vec3 where = Vec3::Zero();   ///< of that vertex, before
+  double volume_before_mm3 = 0, volume_after_mm3 = 0;
+  double least_determinant = 1;  ///< of the motion: how much space shrinks anywhere
+  Mesh before, after;            ///< with the same triangles
+};
+
 /// The answer to a question, before anything is meshed.
 struct Solution {
   Question question;
@@ -74,9 +86,10 @@ struct Solution {
   std::optional<Moments> quadric_body = {};
   std::vector<double> variables;  ///< of the formulation, in the frame of its rays
   std::optional<double> bound =
-      {};                          ///< no interior of the domain has less: where it was asked for, and found
-  std::vector<std::string> unmet;  ///< where infeasible: what cannot be met
-  Verdict verdict;                 ///< of these moments, where feasible; not of a mesh
+      {};  ///< no interior of the domain has less: where it was asked for, and found
+  std::optional<Deformation> deformation = {};  ///< where one was asked for; then all is of the deformed body
+  std::vector<std::string> unmet;               ///< where infeasible: what cannot be met
+  Verdict verdict;                              ///< of these moments, where feasible; not of a mesh
   /// x_body = rotation (x - origin) / length.
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Vec3 origin = Vec3::Zero();

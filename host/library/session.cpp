@@ -67,6 +67,16 @@ Solution solution_of(const Question& question, const core::SolvedRun& run) {
   s.variables = r.outcome.x;
   if (run.stages().formulation->name() == "quadric") s.quadric_body = quadric_in(frame, r.frame, r.outcome.x);
   if (r.certificate && std::isfinite(r.certificate->bound)) s.bound = r.certificate->bound;
+  if (const auto& d = r.deformation)
+    s.deformation = Deformation{std::string(core::to_string(d->reached)),
+                                d->largest_mm,
+                                d->largest_percent,
+                                d->where,
+                                d->volume_before,
+                                d->volume_after,
+                                d->least_determinant,
+                                d->before,
+                                run.body().mesh};
   s.unmet = parts_of(r.infeasibility);
   if (s.feasible()) s.verdict = run.problem().verify(r.outcome.moments, r.length_mm);
   s.rotation = frame.rotation;
