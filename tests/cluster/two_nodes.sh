@@ -11,15 +11,18 @@ name=$(basename "$experiment" .toml)
 measure() {  # PARTITION
   local results="$at/results/$1" began ended
   local folder="$results/$name/slurm"
-  mkdir -p "$folder"
+  # Each compiles its kernels anew, or the second would find those of the first.
+  export TMPDIR="$at/tmp-$1" XDG_CACHE_HOME="$at/cache-$1"
+  mkdir -p "$folder" "$TMPDIR" "$XDG_CACHE_HOME"
   "$build/bench" submit "$experiment" --slurm --tasks 8 --partition "$1" --results "$results" --dry-run > "$folder/job.sh"
-  echo 'times | tail -n 1' >> "$folder/job.sh"  # of what the shell has waited for
+  # Of what the shell has waited for; a pipe would be another shell, which has waited for nothing.
+  echo "times > '$folder/'\"\$SLURM_ARRAY_TASK_ID.times\"" >> "$folder/job.sh"
   began=$(date +%s.%N)
   sbatch --output="$folder/%a.txt" "$folder/job.sh" >/dev/null
   wait_for 14400 over
   ended=$(date +%s.%N)
   "$build/bench" watch "$experiment" --results "$results" >&2
-  tail -qn 1 "$folder"/*.txt | awk -v wall="$(echo "$ended - $began" | bc)" '
+  tail -qn 1 "$folder"/*.times | awk -v wall="$(echo "$ended - $began" | bc)" '
     { for (i = 1; i <= 2; ++i) { split($i, t, "m"); spent += 60 * t[1] + t[2] } } END { print wall, spent }'
 }
 read -r one_wall one_spent <<<"$(measure first)"
