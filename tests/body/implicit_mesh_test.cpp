@@ -32,7 +32,7 @@ TEST(ImplicitMesh, OfABallHasItsVerticesOnTheSphereAndFacesOut) {
 }
 
 TEST(ImplicitMesh, IsSecondOrderAccurate) {
-  const auto error = [](const Field& field, double exact, double cell) {
+  const auto error = [](const ScalarField& field, double exact, double cell) {
     return exact - solid_of(mesh_of(field, around, cell)).volume;
   };
   EXPECT_NEAR(error(ball, 4 * pi / 3, 0.2) / error(ball, 4 * pi / 3, 0.1), 4, 0.3);
@@ -47,7 +47,7 @@ TEST(ImplicitMesh, OfATorusHasOneHole) {
 
 TEST(ImplicitMesh, IsManifoldEvenOfNoise) {
   // Far coarser than the waves: cells are cut at random, and the mesh must still close.
-  const Field noise = [](const Vec3& p) {
+  const ScalarField noise = [](const Vec3& p) {
     return std::max(p.norm() - 1.2, std::sin(41 * p.x()) + std::sin(37 * p.y()) + std::sin(43 * p.z()));
   };
   const MeshReport report = inspect(mesh_of(noise, around, 0.11));

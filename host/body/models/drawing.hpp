@@ -6,10 +6,10 @@
 namespace kreisel::core {
 
 struct Drawing {
-  Field field;     ///< in units of the drawing
-  Box drawn;       ///< bounding box of { field < 0 }, found on a fine mesh
-  Vec3 box_mm;     ///< extent of the model; its lower corner is at the origin
-  double longest;  ///< cells along the longest side for each unit of fineness, for 20 fineness^2 triangles
+  ScalarField field;  ///< in units of the drawing
+  Box drawn;          ///< bounding box of { field < 0 }, found on a fine mesh
+  Vec3 box_mm;        ///< extent of the model; its lower corner is at the origin
+  double longest;     ///< cells along the longest side for each unit of fineness, for 20 fineness^2 triangles
 };
 
 /// Fineness below this is meshed as this: a lattice coarser still would lose ears and handles.

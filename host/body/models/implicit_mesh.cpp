@@ -11,7 +11,7 @@ namespace kreisel::core {
 namespace {
 
 /// The surface between the lattice points where the field is negative and the others, by the secant.
-TriangleMesh marched(const Field& field, const Box& box, double cell) {
+TriangleMesh marched(const ScalarField& field, const Box& box, double cell) {
   const CubicLattice lattice(box, cell);
   std::vector<double> values(lattice.size());
   std::vector<std::uint8_t> inside(lattice.size());
@@ -29,7 +29,7 @@ TriangleMesh marched(const Field& field, const Box& box, double cell) {
 }
 
 /// Moves a point onto field = 0 by Newton's method along the gradient, no step longer than `most`.
-void settle(const Field& field, Vec3& p, int steps, double difference, double most) {
+void settle(const ScalarField& field, Vec3& p, int steps, double difference, double most) {
   for (int s = 0; s < steps; ++s) {
     const double value = field(p);
     Vec3 gradient;  // forward differences: off by 1e-6 or so, which costs the steps little
@@ -63,7 +63,7 @@ void even_out(TriangleMesh& mesh) {
 
 }  // namespace
 
-TriangleMesh mesh_of(const Field& field, const Box& box, double cell) {
+TriangleMesh mesh_of(const ScalarField& field, const Box& box, double cell) {
   TriangleMesh mesh = marched(field, box, cell);
   const double difference = 1e-6 * box.extent().maxCoeff();
   const auto settle_all = [&](int steps) {

@@ -8,7 +8,7 @@
 namespace kreisel::core {
 
 /// Negative inside a solid, positive outside; continuous, and near its zero set about a distance.
-using Field = std::function<double(const Vec3&)>;
+using ScalarField = std::function<double(const Vec3&)>;
 
 /// The surface field = 0 inside a box, by marching tetrahedra on a body-centred cubic lattice (the tetrahedra
 /// have one shape, and as each cuts the surface in one triangle or quadrilateral at most, the mesh is closed
@@ -18,6 +18,6 @@ using Field = std::function<double(const Vec3&)>;
 /// @param box   holds the solid
 /// @param cell  edge of the lattice's cubes, > 0, in the unit of the box; about 14 triangles a cell^2 of area
 /// @throws std::logic_error  the field is negative beyond the box
-[[nodiscard]] TriangleMesh mesh_of(const Field& field, const Box& box, double cell);
+[[nodiscard]] TriangleMesh mesh_of(const ScalarField& field, const Box& box, double cell);
 
 }  // namespace kreisel::core
