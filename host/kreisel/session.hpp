@@ -71,7 +71,8 @@ struct Deformation {
   Vec3 where = Vec3::Zero();   ///< of that vertex, before
   double volume_before_mm3 = 0, volume_after_mm3 = 0;
   double least_determinant = 1;  ///< of the motion: how much space shrinks anywhere
-  Mesh before, after;            ///< with the same triangles
+  /// With the same triangles; where nothing is kept, `before` is moved to lie as near to `after` as may be.
+  Mesh before, after;
 };
 
 /// The answer to a question, before anything is meshed.

@@ -22,7 +22,8 @@ struct DeformationReport {
   std::size_t split = 0;      ///< triangles that were added, for faces too large to bend
   std::vector<DeformStep> history;
   double seconds = 0;
-  TriangleMesh before;             ///< with the triangles of the deformed mesh
+  /// With the triangles of the deformed mesh; where nothing is kept, moved to lie as near to it as may be.
+  TriangleMesh before;
   std::vector<Vec3> displacement;  ///< of its vertices
 
   /// One sentence. @param problem  its verb: "spin"

@@ -80,6 +80,19 @@ std::shared_ptr<const Held> held_of(const Stages& stages, const DeformSpec& spec
   return held;
 }
 
+/// Displacements; where nothing is held the body as it was is laid as near as may be: displacements are up to
+/// a translation then.
+void lay_near(DeformationReport& report, const TriangleMesh& after, bool held) {
+  Box box;
+  for (std::size_t i = 0; i < after.vertices.size(); ++i)
+    box.add(after.vertices[i] - report.before.vertices[i]);
+  const Vec3 shift = held ? Vec3(Vec3::Zero()) : box.centre();
+  for (std::size_t i = 0; i < after.vertices.size(); ++i) {
+    report.before.vertices[i] += shift;
+    report.displacement.push_back(after.vertices[i] - report.before.vertices[i]);
+  }
+}
+
 }  // namespace
 
 std::string DeformationReport::text() const {
@@ -145,8 +158,7 @@ Deformed deformed(const Stages& stages, const RunConfig& question, const Control
   report.seconds = found.seconds;
   report.before = to_model(body.frame, body.local);
   const TriangleMesh after = to_model(body.frame, found.local);
-  for (std::size_t i = 0; i < after.vertices.size(); ++i)
-    report.displacement.push_back(after.vertices[i] - report.before.vertices[i]);
+  lay_near(report, after, options.held != nullptr);
 
   result.axis = body.axis;
   result.contact = body.frame.to_model(found.anchor - stages.problem->anchor());

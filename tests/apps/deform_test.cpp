@@ -18,7 +18,7 @@ namespace THIS_FILE {
 
 class DeformedDesign : public ::testing::Test {
  protected:
-  DeformedDesign() { write_mesh(file("leaning.off"), leaning_ellipsoid({14, 16, 30}, 50, 40)); }
+  DeformedDesign() { write_mesh(file("leaning.off"), {leaning_ellipsoid({14, 16, 30}, 50, 40)}); }
   [[nodiscard]] std::string file(const std::string& name) const { return (folder_.path / name).string(); }
   [[nodiscard]] nlohmann::json report() const {
     return nlohmann::json::parse(std::ifstream(file("report.json")), nullptr, false);
