@@ -272,7 +272,7 @@ const Printer& by_name(std::string_view name) {
   std::string some;
   for (std::size_t i = 0; i < std::min<std::size_t>(partly.size(), 4); ++i)
     some += fmt::format("{}{}", some.empty() ? "" : ", ", partly[i]->name);
-  const std::string meant = nearest(name, names);
+  const std::string meant = nearest(wanted, names);
   throw InputError(fmt::format(
       "--printer {}: {}, expected one of those that `design --printer list` lists", name,
       !some.empty()   ? fmt::format("several go by it ({}{})", some, partly.size() > 4 ? ", ..." : "")
