@@ -10,11 +10,15 @@
 #include <set>
 #include <utility>
 
+#include "body/mesh_moments.hpp"
 #include "body/source.hpp"
 #include "error.hpp"
 #include "fabricate/cut_part.hpp"
 #include "fabricate/lay_flat.hpp"
 #include "fabricate/wall.hpp"
+#include "geometry/moved.hpp"
+#include "geometry/rotation.hpp"
+#include "mesh/io/text.hpp"
 #include "parse.hpp"
 #include "session/deformed.hpp"
 #include "session/find_pose.hpp"
@@ -48,6 +52,38 @@ void require_metal(const BodySpec& body) {
       "--mould of a part whose shell is its densest material; expected a denser interior "
       "(--interior-density), or "
       "a filling of the voids (--void-density)");
+}
+
+/// Whether the printer takes a part that is printed that way up; any, where nobody says which it is.
+bool fits(const std::optional<Printer>& printer, const TriangleMesh& mesh, const Vec3& up) {
+  if (!printer) return true;
+  Eigen::Isometry3d lay = Eigen::Isometry3d::Identity();
+  lay.linear() = axis_to_z(up);
+  const Box box = bounding_box(moved(mesh, lay));
+  const Vec3 bed = printer->box().centre();
+  lay.translation() = Vec3(bed[0] - box.centre()[0], bed[1] - box.centre()[1], -box.lo[2]);
+  return printer->holds(moved(mesh, lay));
+}
+
+/// Ahead of all solving. @throws InputError  the part is too large for the printer, or its wall too thin
+void require_printer_takes(const Printer& printer, const DesignSpec& spec, const SolvedRun& run) {
+  const RunResult& r = run.result;
+  const double wall = r.wall * r.length_mm, lines = 2 * printer.nozzles.front();
+  if (wall < lines)
+    throw InputError(
+        fmt::format("--printer {}: a wall of {:.3g} mm is less than two lines of its nozzle of {:.3g} mm, "
+                    "expected {:.3g} mm or more (--wall, --size), or another nozzle (NAME@MM)",
+                    printer.name, wall, printer.nozzles.front(), lines));
+  if (!spec.cut.empty() || spec.print.find_up) return;  // its pieces may well fit; directions are looked at
+  const Vec3 up = spec.print.up.value_or(r.frame.rotation.row(2).transpose());
+  const TriangleMesh& mesh = run.body().mesh;
+  if (fits(printer, mesh, up)) return;
+  const Vec3 size = bounding_box(moved(mesh, axis_to_z(up))).extent();
+  throw InputError(
+      fmt::format("--printer {}: the part takes {:.4g} x {:.4g} x {:.4g} mm as it is printed, expected no "
+                  "more than {}: a "
+                  "smaller --size, another --print-up, or --cut",
+                  printer.name, size[0], size[1], size[2], printer.size_text()));
 }
 
 /// @throws InputError  the wall is thinner than what can be printed
@@ -120,8 +156,17 @@ std::map<std::string, std::string> describe(const DesignSpec& spec) {
   if (spec.mould) fields["mould"] = "true";
   if (spec.print.wanted()) fields["slicer"] = spec.print.slicing.slicer;
   if (!spec.print.slicing.profile.empty()) fields["profile"] = spec.print.slicing.profile.string();
+  if (spec.measured_mass) fields["measured-mass"] = fmt::format("{}", *spec.measured_mass);
+  if (spec.print.find_up) fields["print-up"] = "auto";
+  if (const auto& printer = spec.print.slicing.printer)
+    fields["printer"] = fmt::format("{}@{}", printer->name, printer->nozzles.front());
   if (spec.print.up) fields["print-up"] = fmt::format("{}", fmt::join(*spec.print.up, ","));
   if (spec.print.balance) fields["balance"] = "print";
+  if (spec.print.slicing.infill) {
+    fields["infill"] = to_string(*spec.print.slicing.infill);
+    fields.erase("void-density");  // it follows
+    if (spec.print.slicing.dialect == threemf::Dialect::orca) fields["project"] = "orca";
+  }
   return fields;
 }
 
@@ -160,11 +205,28 @@ class Unfinished {
   bool kept_ = false;
 };
 
+/// Ahead of the work. @throws InputError  what does not go together with infill
+void require_infill_alone(const DesignSpec& spec) {
+  const BodySpec& body = spec.config.body;
+  for (const auto& [wanted, option] :
+       {std::pair{body.void_density > 0, "--void-density"},
+        std::pair{body.interior_density.has_value(), "--interior-density"},
+        std::pair{!spec.cut.empty(), "--cut"}, std::pair{spec.drain_radius > 0, "--drain"},
+        std::pair{spec.mould, "--mould"}})
+    if (wanted)
+      throw InputError(fmt::format("--infill with {}, expected one of them: infill leaves no void", option));
+  if (!spec.file.empty() && lower_case(spec.file.extension().string()) != ".3mf")
+    throw InputError(fmt::format("--infill to {}, expected a .3mf file: no other says where infill is sparse",
+                                 spec.file.string()));
+}
+
 /// Where it is infeasible, what would help is left to be found.
 Design make_asked(Session& session, const DesignSpec& spec, const Control& control) {
   Finishing finishing(spec);
   std::optional<Printing> printing;  // ahead of the work: its slicer may not be there
   if (spec.print.wanted()) printing.emplace(spec.print);
+  const std::optional<Infill>& infill = spec.print.slicing.infill;
+  if (infill) require_infill_alone(spec);
   if (printing && !spec.cut.empty())
     throw InputError("--slicer of a part that is cut, expected one in a piece: without --cut");
   if (spec.mould) require_metal(spec.config.body);
@@ -172,16 +234,38 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
     throw InputError("a mould of a part that is not written; expected a file for it");
   RunConfig config = spec.config;
   config.wall.to_corners = true;  // a voxel whose centre keeps the wall would stick out into it
+  PartOptions options;
+  options.least_void = std::pow(5 * spec.printer_accuracy, 3);
+  options.tolerance = spec.tolerance.value_or(spec.printer_accuracy / 10);
+  const std::optional<Printer>& printer = spec.print.slicing.printer;
+  const auto require_taken = [&](const SolvedRun& one) {
+    require_printable(one.result, spec.printer_accuracy);
+    if (printer) require_printer_takes(*printer, spec, one);
+  };
+  std::optional<InfillUse> use;
+  if (infill) require_taken(SolvedRun(session, config, control));
+  if (infill)
+    use = use_infill(session, config, measure_infill(spec.print.slicing, control), *infill, options, control);
   SolvedRun run(session, config, control);
-  require_printable(run.result, spec.printer_accuracy);
+  require_taken(run);
   const Body& body = run.body();
-  if (printing && (!body.one_material() || body.void_density > 0 || body.axle))
+  if (printing && (!body.one_material() || (body.void_density > 0 && !infill) || body.axle))
     throw InputError("--slicer of a part of several materials or halves, expected one solid");
   if (spec.print.balance && !run.exact())
     throw InputError(
         fmt::format("--balance print of {}, expected --formulation quadric", config.formulation));
   run.solve(control);
   if (run.result.config.certify > 0) run.certify(control);
+  std::optional<FoundUp> found_up;
+  if (spec.print.find_up && run.result.outcome.termination != Termination::infeasible) {
+    const PartMeshes ahead = make_part(run, "", options);
+    found_up = find_up(
+        printing->slicer(), ahead.outer, infill ? TriangleMesh{} : ahead.cavity, printing->up_of(run.result),
+        [&](const Vec3& up) { return fits(printer, ahead.outer, up); }, control);
+    PrintSpec turned = spec.print;
+    turned.up = found_up->up;
+    printing.emplace(turned);
+  }
   Design design{};
   DesignSpec used = spec;
   used.config = run.result.config;  // with the solver and the wall that were taken
@@ -192,9 +276,6 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
   if (run.result.outcome.termination != Termination::infeasible) {
     const StopScope scope(control.stop);
     control.tell("mesh, write, verify");
-    PartOptions options;
-    options.least_void = std::pow(5 * spec.printer_accuracy, 3);
-    options.tolerance = spec.tolerance.value_or(spec.printer_accuracy / 10);
     std::vector<MaterialPart> cast;
     if (finishing.wanted() || spec.mould)
       options.finish = [&](const std::vector<MaterialPart>& parts) {
@@ -207,11 +288,27 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
         const PrintedPart& one = printed.emplace_back((*printing)(run, parts, control));
         return PrintedMoments{one.moments, one.balances()};
       };
+    if (infill)
+      options.written = [&](const std::string& file, const std::vector<MaterialPart>& parts) {
+        return write_infilled(file, parts, *infill, spec.print.slicing.dialect,
+                              printing->placed(run.result, parts.front().surfaces.front()), run);
+      };
     design.part = make_part(run, spec.file.string(), options);
+    if (use) {
+      use->volume = std::abs(reference::mesh_moments(design.part.cavity).value[S1]);
+      use->surface = area_of(design.part.cavity);
+      design.infill = use;
+    }
     if (printing && printed.empty()) printed.push_back((*printing)(run, design.part.solids, control));
     for (const PrintedPart& one : printed) design.rounds.push_back(one.residual);
     if (printing) design.printed = std::move(printed[design.part.round]);
     design.print_balanced = spec.print.balance;
+    design.found_up = std::move(found_up);
+    if (printing && !infill && !design.part.cavity.triangles.empty())
+      design.supports = measure_supports(printing->slicer(), design.part.outer, design.part.cavity,
+                                         printing->up_of(run.result), control);
+    design.survives =
+        survived_errors(run, design.printed ? design.printed->moments : run.result.verified.moments);
     if (!cast.empty()) control.tell("mould");
     if (!cast.empty()) design.moulds = write_moulds(spec.file, cast);
     design.cuts = finishing.planes();
@@ -230,7 +327,8 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
 
   double volume = 0;
   for (const WrittenMaterial& material : r.verified.materials) {
-    volume += 1e3 * material.grams / material.density;
+    // What is sparse is of the same material, at less of it.
+    volume += 1e3 * material.grams / (design.infill ? r.density : material.density);
     if (std::ranges::find(design.files, material.file) == design.files.end() && !material.file.empty())
       design.files.push_back(material.file);
   }
@@ -261,6 +359,7 @@ Design make_posed(Session& session, const DesignSpec& spec, const Control& contr
   RunConfig config = spec.config;
   config.deform = {};
   if (!design.feasible()) {
+    config.body.void_density = design.run.config.body.void_density;  // of infill, which is measured
     config.wall.to_corners = true;
     SolvedRun run(session, config, control);
     run.result.outcome.termination = Termination::infeasible;
@@ -313,16 +412,18 @@ void require_unit_said(Session& session, const RunConfig& config, const Control&
   require_unit_said(config.body, *session.solid(config));
 }
 
-}  // namespace
-
-Design make_design(Session& session, const DesignSpec& spec, const Control& control) {
-  require_unit_said(session, spec.config, control);
+/// The question, with a pose where that is left open.
+Design make_found(Session& session, const DesignSpec& spec, const Control& control) {
   if (!leaves_open(spec.config)) return make_posed(session, spec, control);
   // The search's domain is coarse: the best there may miss by a little on the part's own, the next does not.
   constexpr std::size_t most_parts = 4;
   std::optional<DesignSpec> first;  // that makes a part, though one that does not do it
   std::string pose_of_first;
   std::optional<RunConfig> open = spec.config;
+  if (spec.print.slicing.infill) {
+    require_infill_alone(spec);
+    open->body.void_density = measure_infill(spec.print.slicing, control).bulk * open->body.density;
+  }
   FoundPoses all;
   while (open) {
     FoundPoses found = find_poses(session, *open, control);
@@ -346,6 +447,27 @@ Design make_design(Session& session, const DesignSpec& spec, const Control& cont
     return design;
   }
   return make_none(session, spec, all, control);
+}
+
+}  // namespace
+
+Design make_design(Session& session, const DesignSpec& spec, const Control& control) {
+  require_unit_said(session, spec.config, control);
+  if (!spec.measured_mass) return make_found(session, spec, control);
+  require_one_density(spec.config.body);
+  DesignSpec first = spec;
+  first.file.clear();
+  first.gcode.clear();
+  first.mould = false;
+  Design design = make_found(session, first, control);
+  if (!design.feasible()) return design;
+  const double expected = design.printed ? design.printed->figures.mass : design.after.mass;
+  const Weighed weighed = weighed_as(*spec.measured_mass, expected, spec.config.body.density);
+  DesignSpec again = spec;
+  again.config.body.density = weighed.density;
+  design = make_found(session, again, control);
+  design.weighed = weighed;
+  return design;
 }
 
 }  // namespace kreisel::core

@@ -8,8 +8,11 @@
 #include <vector>
 
 #include "design/figures.hpp"
+#include "design/infilled.hpp"
 #include "design/moulds.hpp"
 #include "design/printed.hpp"
+#include "design/supports.hpp"
+#include "design/weighed.hpp"
 #include "fabricate/drain.hpp"
 #include "fabricate/thickness.hpp"
 #include "session/make_part.hpp"
@@ -33,6 +36,8 @@ struct DesignSpec {
   bool mould = false;       ///< moulds are written for solids that are denser than the shell
   bool lay_flat = false;    ///< pieces of cuts are written beside each other, each on its cut
   PrintSpec print;
+  /// Of what was made first by all of this, g: the density is set right by it, and the part solved again.
+  std::optional<double> measured_mass;
   std::filesystem::path gcode;  ///< where that goes; empty: nowhere
 };
 
@@ -53,11 +58,17 @@ struct Design {
   std::vector<Drain> drains;  ///< holes into voids
   double drain_radius = 0;    ///< as asked, mm; 0: none
   std::vector<WrittenMould> moulds;
+  std::optional<InfillUse> infill;     ///< in place of voids
   std::optional<PrintedPart> printed;  ///< where a slicer was asked for
-  std::vector<Residual> rounds;        ///< of each print that was tried
-  bool print_balanced = false;         ///< what was asked is asked of the print, not of the mesh
-  std::string pose;                    ///< how it was found, where it was left open
-  std::string other_axes;              ///< where it does not do it as it was posed: in which poses it can
+  std::optional<Supports> supports;    ///< that it would take everywhere
+  std::optional<FoundUp> found_up;     ///< where it was asked for
+  std::optional<Weighed> weighed;      ///< where somebody weighed the first one
+  std::optional<SurvivedErrors>
+      survives;                  ///< of the print, or else of the part, where it does what was asked
+  std::vector<Residual> rounds;  ///< of each print that was tried
+  bool print_balanced = false;   ///< what was asked is asked of the print, not of the mesh
+  std::string pose;              ///< how it was found, where it was left open
+  std::string other_axes;        ///< where it does not do it as it was posed: in which poses it can
   std::vector<std::filesystem::path> files;
 
   /// The verdict on what was asked: of the part's files, or of its print.

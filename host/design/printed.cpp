@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "design/infilled.hpp"
 #include "error.hpp"
 #include "problem/problem.hpp"
 
@@ -42,19 +43,24 @@ bool PrintedPart::balances() const {
          !beyond(residual.axis_degrees, 0.02) && !beyond(residual.mass_g, 1e-3 * figures.mass);
 }
 
-Printing::Printing(const PrintSpec& spec) : up_(spec.up), slice_(spec.slicing) {
+Printing::Printing(const PrintSpec& spec)
+    : up_(spec.up), infill_(spec.slicing.infill.has_value()), slice_(spec.slicing) {
   if (up_ && !(up_->norm() > 0)) throw InputError("--print-up 0,0,0, expected a direction");
 }
 
 PrintedPart Printing::operator()(const SolvedRun& run, const std::vector<MaterialPart>& solids,
                                  const Control& control) const {
-  if (solids.size() != 1)
+  if (!infill_ && solids.size() != 1)
     throw InputError(
         fmt::format("--slicer of a part of {} solids, expected one: neither cut nor of several materials",
                     solids.size()));
   const RunResult& r = run.result;
-  const Vec3 up = up_.value_or(r.frame.rotation.row(2).transpose());
-  PrintedPart part{slice_(joined(solids.front().surfaces), up, solids.front().density, control), {}, {}};
+  const Vec3 up = up_of(r);
+  const double density = solids.front().density;
+  PrintedPart part{infill_ ? slice_(filled_of(solids), up, density, control)
+                           : slice_(joined(solids.front().surfaces), up, density, control),
+                   {},
+                   {}};
   const Print& print = part.sliced.print;
   part.moments = body_moments(print.part_mass(), part.sliced.bed_to_model, r);
   part.figures = figures_of(part.moments, print.part_volume(), r,

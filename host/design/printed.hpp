@@ -14,6 +14,7 @@ namespace kreisel::core {
 struct PrintSpec {
   SliceSpec slicing;       ///< no slicer: nothing is sliced
   std::optional<Vec3> up;  ///< of the print, model coordinates; default as the body stands: its axis, or up
+  bool find_up = false;    ///< the one that needs least support where nobody gets at it
   /// Whether the cut is moved until the print does what was asked, not only the mesh.
   bool balance = false;
 
@@ -42,9 +43,19 @@ class Printing {
   /// @throws InputError  several solids; as MeshSlicer  @throws Interrupted
   [[nodiscard]] PrintedPart operator()(const SolvedRun& run, const std::vector<MaterialPart>& solids,
                                        const Control& control) const;
+  [[nodiscard]] const MeshSlicer& slicer() const { return slice_; }
+  /// Which way is up.
+  [[nodiscard]] Vec3 up_of(const RunResult& run) const {
+    return up_.value_or(run.frame.rotation.row(2).transpose());
+  }
+  /// Where a part lies as it is printed. @param outer  its surface, model coordinates
+  [[nodiscard]] Eigen::Isometry3d placed(const RunResult& run, const TriangleMesh& outer) const {
+    return slice_.placed(outer, up_of(run));
+  }
 
  private:
   std::optional<Vec3> up_;
+  bool infill_;
   MeshSlicer slice_;
 };
 

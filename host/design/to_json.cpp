@@ -69,6 +69,29 @@ json to_json(const Residual& residual) {
           {"mass_g", number(residual.mass_g)}};
 }
 
+json to_json(const InfillUse& use) {
+  json blocks = json::array();
+  for (const InfillBlock& block : use.density.blocks)
+    blocks.push_back({{"edge_mm", block.edge}, {"share", block.share}});
+  return {{"percent", use.infill.percent},  {"pattern", use.infill.pattern}, {"share", use.share},
+          {"bulk_share", use.density.bulk}, {"skin_mm", use.density.skin},   {"volume_mm3", use.volume},
+          {"surface_mm2", use.surface},     {"slicer", use.density.slicer},  {"blocks", blocks}};
+}
+
+json to_json(const Supports& supports) {
+  return {{"support_in_voids_mm3", supports.in_voids}, {"support_everywhere_mm3", supports.in_all}};
+}
+
+json to_json(const FoundUp& found) {
+  json sliced = json::array();
+  for (const UpTried& tried : found.sliced) {
+    json one = to_json(tried.supports);
+    one["up"] = json_list(tried.up);
+    sliced.push_back(one);
+  }
+  return {{"up", json_list(found.up)}, {"directions", found.directions}, {"sliced", sliced}};
+}
+
 json to_json(const PrintedPart& printed, const std::vector<Residual>& rounds) {
   const Print& print = printed.sliced.print;
   json j = to_json(printed.figures);
@@ -119,7 +142,23 @@ std::string to_json(const Design& design) {
   for (const auto& file : design.files) summary["files"].push_back(file.string());
   summary["after"] = to_json(design.after);
   summary["constraint_residual"] = to_json(design.residual);
-  if (design.printed) summary["print"] = to_json(*design.printed, design.rounds);
+  if (design.infill) summary["infill"] = to_json(*design.infill);
+  if (design.printed) {
+    json print = to_json(*design.printed, design.rounds);
+    print["support_in_voids_mm3"] = json();
+    if (design.infill) print["support_in_voids_mm3"] = 0;
+    if (design.supports) print.update(to_json(*design.supports));
+    if (design.found_up) print["found_up"] = to_json(*design.found_up);
+    summary["print"] = print;
+  }
+  summary["survives"] = json();
+  if (design.survives)
+    summary["survives"] = {
+        {"flow_and_density_percent", {number(design.survives->least), number(design.survives->most)}}};
+  if (design.weighed)
+    summary["weighed"] = {{"measured_g", design.weighed->measured},
+                          {"expected_g", design.weighed->expected},
+                          {"density", design.weighed->density}};
   summary["wall_mm"] = number(design.wall);
   summary["thinnest_mm"] = number(design.thinnest.thickness);
   summary["thinnest_at_mm"] =

@@ -47,9 +47,10 @@ std::string told_of_move(const Vec3& moved) {
 }
 
 Verified write_and_verify(const RunResult& r, const std::vector<MaterialPart>& parts, const Body& body,
-                          const Problem& problem, const std::string& file) {
-  const WrittenPart part = file.empty() ? verify_made(parts, body, problem)
-                                        : verify_written(write_parts(file, parts), body, problem);
+                          const Problem& problem, const std::string& file, const PartOptions& options) {
+  const WrittenPart part = options.written ? options.written(file, parts)
+                           : file.empty()  ? verify_made(parts, body, problem)
+                                           : verify_written(write_parts(file, parts), body, problem);
 
   Verified verified;
   verified.verdict = part.verdict;
@@ -88,7 +89,7 @@ PartMeshes make_part(SolvedRun& run, const std::string& mesh_file, const PartOpt
   const MadePart made = run.exact() ? mesh_inside(run, fit, options) : round_to_voxels(run, fit, options);
   PartMeshes part{body.mesh, to_model(body.frame, made.inside.voids), made.parts, made.round};
   r.voids = find_voids({part.outer, part.cavity}, cut_directions(body));
-  r.verified = write_and_verify(r, made.parts, body, run.problem(), mesh_file);
+  r.verified = write_and_verify(r, made.parts, body, run.problem(), mesh_file, options);
   if (!r.verified.materials.empty()) {  // what is measured of the part is what its file holds
     const WrittenMaterial& material = r.verified.materials.front();
     const Vec3 place = made.parts.front().place;

@@ -36,6 +36,8 @@ struct PartOptions {
   /// What a printer makes of the solids. Where there is one, that is to meet the constraints, not the mesh:
   /// it is asked once a correction, and the best part is kept. Of quadrics.
   std::function<PrintedMoments(const std::vector<MaterialPart>&)> printed = {};
+  /// Writes the solids to that file, if it has a name, in place of write_parts(), and judges what it holds.
+  std::function<WrittenPart(const std::string&, const std::vector<MaterialPart>&)> written = {};
 };
 
 /// Fills in what the run's result says of its part.

@@ -5,13 +5,17 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "apps/json_vector.hpp"
 #include "apps/run_bench.hpp"
 #include "apps/run_design.hpp"
+#include "body/mesh_moments.hpp"
 #include "installed.hpp"
 #include "kreisel/mesh.hpp"
+#include "mesh/io/threemf/package.hpp"
+#include "mesh/io/threemf/project.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
@@ -31,6 +35,11 @@ class PrintedDesign : public ::testing::Test {
         file("top.gcode"), file("top.stl"), file("out.json"), more));
     return report();
   }
+  static std::string bytes_of(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  static double volume(const TriangleMesh& mesh) { return reference::mesh_moments(mesh).value[S1]; }
   void expect_refused(const std::string& options, const std::string& says) {
     const BenchAnswer refused = design(fmt::format("spin ellipsoid -o {} {}", file("top.stl"), options));
     EXPECT_EQ(refused.code, 2) << refused.out;
@@ -83,6 +92,110 @@ TEST_F(PrintedDesign, BalancesWhereItsMeshAloneDidNot) {
   EXPECT_LT(kept.at("axis_degrees").get<double>(), 0.5 * rounds.at(0).at("axis_degrees").get<double>());
   EXPECT_LT(kept.at("centre_of_mass_mm").get<double>(),
             0.5 * rounds.at(0).at("centre_of_mass_mm").get<double>());
+}
+
+TEST_F(PrintedDesign, HasSparseInfillInPlaceOfVoids) {
+  KREISEL_NEEDS(installed("prusa-slicer"), "prusa-slicer");
+  answer_ = design(fmt::format(
+      "spin ellipsoid --resolution 32 --fineness 12 --infill 15% --balance print --gcode {} -o {} --json {}",
+      file("top.gcode"), file("top.3mf"), file("out.json")));
+  ASSERT_EQ(answer_.code, 0) << answer_.out;
+  EXPECT_NE(answer_.out.find("infill     15 % gyroid in 1 region"), std::string::npos) << answer_.out;
+  const json made = report();
+  const json& infill = made.at("infill");
+  EXPECT_EQ(infill.at("pattern"), "gyroid");
+  EXPECT_EQ(infill.at("blocks").size(), 3u);
+  const double share = infill.at("share"), region = infill.at("volume_mm3");
+  EXPECT_NEAR(share,
+              infill.at("bulk_share").get<double>() +
+                  infill.at("skin_mm").get<double>() * infill.at("surface_mm2").get<double>() / region,
+              0.01);
+  EXPECT_EQ(made.at("config").at("infill"), "15%:gyroid");
+  EXPECT_FALSE(made.at("config").contains("void-density"));
+  // What the file holds, full and sparse, is what was weighed.
+  const auto volumes = threemf::read_project({"top.3mf", bytes_of(file("top.3mf"))});
+  ASSERT_EQ(volumes.size(), 2u);
+  const double all = volume(volumes[0].mesh), sparse = volume(volumes[1].mesh);
+  EXPECT_NEAR(sparse, region, 1e-3 * region);
+  const double density = made.at("density");
+  EXPECT_NEAR(made.at("after").at("mass_g").get<double>(), 1e-3 * density * (all - (1 - share) * sparse),
+              1e-3);
+  // And the print does it, with about that mass.
+  const json& print = made.at("print");
+  EXPECT_TRUE(print.at("ok").get<bool>()) << print.at("text");
+  EXPECT_EQ(print.at("support_in_voids_mm3"), 0);
+  EXPECT_NEAR(print.at("mass_g").get<double>(), made.at("after").at("mass_g").get<double>(),
+              0.03 * made.at("after").at("mass_g").get<double>());
+  EXPECT_LT(print.at("constraint_residual").at("centre_of_mass_mm").get<double>(), 0.02);
+}
+
+TEST_F(PrintedDesign, IsAProjectForOtherSlicersToo) {
+  KREISEL_NEEDS(installed("prusa-slicer"), "prusa-slicer");
+  answer_ = design(fmt::format(
+      "spin ellipsoid --resolution 32 --fineness 12 --infill 20%:stars --project orca --accept -o {}",
+      file("top.3mf")));
+  ASSERT_EQ(answer_.code, 0) << answer_.out;
+  const auto package = threemf::unpack({"top.3mf", bytes_of(file("top.3mf"))});
+  EXPECT_NE(package.at("metadata/model_settings.config").find("tri-hexagon"), std::string::npos);
+  EXPECT_EQ(threemf::read_project({"top.3mf", bytes_of(file("top.3mf"))}).size(), 2u);
+}
+
+TEST_F(PrintedDesign, TellsWhatSupportsItsVoidsWouldTake) {
+  KREISEL_NEEDS(installed("prusa-slicer"), "prusa-slicer");
+  const json made = top("--accept");
+  ASSERT_EQ(answer_.code, 0) << answer_.out;
+  const json& print = made.at("print");
+  EXPECT_GT(print.at("support_in_voids_mm3").get<double>(), 0);
+  EXPECT_GE(print.at("support_everywhere_mm3").get<double>(), print.at("support_in_voids_mm3").get<double>());
+  EXPECT_NE(answer_.out.find("--infill 15% leaves no void, --cut auto opens them"), std::string::npos)
+      << answer_.out;
+}
+
+TEST_F(PrintedDesign, FollowsWhatTheScalesSayOfTheFirst) {
+  const auto duck = [&](const std::string& more) {
+    answer_ =
+        design(fmt::format("float duck --draft 55% --resolution 32 --density 1.2 -o {} --json {} --force {}",
+                           file("duck.stl"), file("out.json"), more));
+    return report();
+  };
+  const json first = duck("");
+  ASSERT_EQ(answer_.code, 0) << answer_.out;
+  const double mass = first.at("after").at("mass_g");
+  // What floats may not weigh more than the water that it displaces: a thousandth, says the verdict.
+  const json& survives = first.at("survives").at("flow_and_density_percent");
+  EXPECT_NEAR(survives.at(0).get<double>(), -0.1, 0.01);
+  EXPECT_NEAR(survives.at(1).get<double>(), 0.1, 0.01);
+  const json second = duck(fmt::format("--measured-mass {}", 1.03 * mass));
+  ASSERT_EQ(answer_.code, 0) << answer_.out;
+  EXPECT_NEAR(second.at("weighed").at("expected_g").get<double>(), mass, 1e-6 * mass);
+  EXPECT_NEAR(second.at("density").get<double>(), 1.03 * 1.2, 1e-9);
+  // It floats as deep as before, so it weighs as much, of less plastic.
+  EXPECT_NEAR(second.at("after").at("mass_g").get<double>(), mass, 1e-3 * mass);
+  EXPECT_LT(second.at("after").at("volume_mm3").get<double>(),
+            first.at("after").at("volume_mm3").get<double>());
+  EXPECT_NE(answer_.out.find("weighed "), std::string::npos) << answer_.out;
+}
+
+TEST_F(PrintedDesign, IsRefusedByAPrinterThatIsTooSmall) {
+  expect_refused("--printer 'Bambu Lab A1 mini' --size 200", "the part takes 200 x 130 x 127.5 mm");
+  expect_refused("--printer 'Bambu Lab A1 mini' --wall 0.7", "less than two lines of its nozzle of 0.4 mm");
+  expect_refused("--printer 'Bambu Lab A1 mini@0.3'", "no such nozzle");
+  expect_refused("--printer nobodys", "design --printer list");
+  const BenchAnswer listed = design("--printer list");
+  EXPECT_EQ(listed.code, 0);
+  EXPECT_NE(listed.out.find("180 x 180 x 180 mm"), std::string::npos) << listed.out;
+}
+
+TEST_F(PrintedDesign, WithInfillIsRefusedInOneLine) {
+  expect_refused("--infill 0%", "--infill 0%, expected more than 0 %");
+  expect_refused("--infill 100%", "--infill 100%, expected more than 0 % and less than 100 %");
+  expect_refused("--infill 15%:girod", "no pattern girod");
+  expect_refused("--infill 15%:lightning", "denser in some places");
+  expect_refused("--infill 15% --slicer /nowhere/prusa-slicer", "apt-get install prusa-slicer");
+  expect_refused("--infill 15% --slicer 'sh {model} {gcode}'", "expected a .3mf file");
+  expect_refused("--infill 15% --slicer 'sh {model} {gcode}' --drain 2", "--infill with --drain");
+  expect_refused("--project orca", "--infill");
+  expect_refused("--measured-mass 2000", "expected what scales say");
 }
 
 TEST_F(PrintedDesign, SaysAheadThatItCannotBeSliced) {

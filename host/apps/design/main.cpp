@@ -19,6 +19,7 @@
 #include "error.hpp"
 #include "file/write_text.hpp"
 #include "parse.hpp"
+#include "print/printer/printer.hpp"
 #include "problem/problem.hpp"
 #include "session/build_info.hpp"
 
@@ -63,34 +64,61 @@ std::vector<std::string> settings_of(const ProblemEntry& problem) {
 
 void add_print_options(CLI::App& app, Parsed& parsed) {
   kreisel::core::PrintSpec& print = parsed.spec.print;
-  CLI::Option* slicer =
-      app.add_option("--slicer", print.slicing.slicer,
-                     "slice the part, and say what is printed: prusa-slicer, cura-engine, or a "
-                     "command with {model} and {gcode} in it")
-          ->type_name("NAME|COMMAND");
+  app.add_option("--slicer", print.slicing.slicer,
+                 "slice the part, and say what is printed: prusa-slicer, cura-engine, or a "
+                 "command with {model} and {gcode} in it")
+      ->type_name("NAME|COMMAND");
   app.add_option(
          "--profile", print.slicing.profile,
          "settings of the slicer, key = value; default 0.2 mm layers, 0.4 mm nozzle, two perimeters, filled, "
          "supports from the bed")
-      ->type_name("FILE")
-      ->needs(slicer);
+      ->type_name("FILE");
   app.add_option_function<std::string>(
-         "--print-up", [&print](const std::string& text) { print.up = direction("--print-up", text); },
-         "which way is up as it is printed; default as it stands, or along its axis")
-      ->type_name("X,Y,Z")
-      ->needs(slicer);
-  app.add_option("--gcode", parsed.outputs.gcode, "write what the slicer makes")
-      ->type_name("FILE")
-      ->needs(slicer);
+         "--print-up",
+         [&print](const std::string& text) {
+           print.find_up = text == "auto";
+           if (!print.find_up) print.up = direction("--print-up", text);
+         },
+         "which way is up as it is printed: auto (least support in voids), or a direction; default as it "
+         "stands, or along its axis")
+      ->type_name("auto|X,Y,Z");
+  app.add_option("--gcode", parsed.outputs.gcode, "write what the slicer makes")->type_name("FILE");
   app.add_option_function<std::string>(
          "--balance", [&print](const std::string&) { print.balance = true; },
          "print: move the cut of the voids until what is printed does what was asked, not only the mesh")
-      ->check(CLI::IsMember({"print"}))
-      ->needs(slicer);
+      ->check(CLI::IsMember({"print"}));
+  CLI::Option* infill =
+      app.add_option_function<std::string>(
+             "--infill",
+             [&print](const std::string& text) { print.slicing.infill = kreisel::core::parse_infill(text); },
+             "sparse infill in place of voids: its share, and :pattern (default gyroid); -o is one 3MF, "
+             "ready "
+             "to be sliced by --slicer (default prusa-slicer)")
+          ->type_name("N%[:PATTERN]");
+  app.add_option_function<std::string>(
+         "--project",
+         [&print](const std::string& text) { print.slicing.dialect = kreisel::core::parse_dialect(text); },
+         "who is to open that 3MF: prusa (default), or orca (OrcaSlicer, Bambu Studio)")
+      ->type_name("prusa|orca")
+      ->needs(infill);
+  app.add_option_function<std::string>(
+         "--printer",
+         [&print](const std::string& name) { print.slicing.printer = kreisel::core::find_printer(name); },
+         "who prints it: what is too large for its bed or too thin for its nozzle is refused, and our "
+         "profile "
+         "has both; `design --printer list` names those that are known")
+      ->type_name("NAME[@NOZZLE]");
   app.add_option("--slicer-seconds", print.slicing.seconds, "that the slicer may take")
       ->check(CLI::Range(1.0, 86400.0))
-      ->capture_default_str()
-      ->needs(slicer);
+      ->capture_default_str();
+}
+
+/// What says how a part is sliced needs somebody who slices it. @throws InputError  nobody does
+void require_slicer(const CLI::App& app) {
+  if (app.count("--slicer") + app.count("--infill") > 0) return;
+  for (const char* option : {"--profile", "--print-up", "--gcode", "--balance", "--slicer-seconds"})
+    if (app.count(option) > 0)
+      throw InputError(fmt::format("{} without a slicer, expected --slicer, too (or --infill)", option));
 }
 
 void add_options(CLI::App& app, Parsed& parsed, const ProblemEntry& problem) {
@@ -137,13 +165,18 @@ void add_options(CLI::App& app, Parsed& parsed, const ProblemEntry& problem) {
       "--mould", parsed.spec.mould,
       "write moulds, too, for what of the part is denser than its shell: two halves, sprue, vents, pins");
   add_print_options(app, parsed);
+  app.add_option(
+         "--measured-mass", parsed.spec.measured_mass,
+         "what the part weighs that this made without it, g: the density follows, and it is solved again")
+      ->check(CLI::PositiveNumber);
   app.add_flag("--accept", parsed.accept, "exit code 0, though the part does not do what was asked");
   app.add_option("--drain", parsed.spec.drain_radius,
                  "radius of a hole from every void to the outside, mm; default none")
       ->check(CLI::PositiveNumber);
 }
 
-int make(Parsed& parsed, const ProblemEntry& problem) {
+int make(Parsed& parsed, const CLI::App& app, const ProblemEntry& problem) {
+  require_slicer(app);
   kreisel::core::RunConfig& config = parsed.spec.config;
   config.problem = problem.name;
   config.formulation = "quadric";
@@ -155,6 +188,8 @@ int make(Parsed& parsed, const ProblemEntry& problem) {
   outputs.require_writable();
   const std::string three = outputs.html.empty() ? "" : kreisel::core::installed_three();
   parsed.spec.file = outputs.part;
+  kreisel::core::SliceSpec& slicing = parsed.spec.print.slicing;
+  if (slicing.infill && slicing.slicer.empty()) slicing.slicer = "prusa-slicer";
   parsed.spec.gcode = outputs.gcode;
   const kreisel::core::Design design = [&] {
     const StepLine line;
@@ -174,6 +209,9 @@ int dispatch(int argc, char** argv) {
   app.set_version_flag("--version", fmt::format("kreisel {} ({})", kreisel::core::build_info::version,
                                                 kreisel::core::build_info::commit));
   app.require_subcommand(0, 1);
+  std::string listed;
+  app.add_option("--printer", listed, "list: printers that are known, their beds, nozzles and layers")
+      ->check(CLI::IsMember({"list"}));
   Parsed parsed;
   for (const ProblemEntry& problem : kreisel::core::problems())
     add_options(
@@ -190,13 +228,18 @@ int dispatch(int argc, char** argv) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
     throw InputError(explained(app, error));
   }
+  if (!listed.empty()) {
+    print_printers();
+    return done;
+  }
   if (app.get_subcommands().empty()) {
     fmt::print("{}", app.help());
     return done;
   }
   if (*completion) return done;
   if (*nested) return nest_parts(parsed.nest);
-  return make(parsed, kreisel::core::find_problem(app.get_subcommands().front()->get_name()));
+  const CLI::App& asked = *app.get_subcommands().front();
+  return make(parsed, asked, kreisel::core::find_problem(asked.get_name()));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "apps/design/print.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "print/printer/printer.hpp"
 #include "problem/problem.hpp"
 
 namespace kreisel::core::apps {
@@ -98,10 +100,47 @@ void print_printed(const Design& d) {
              print.slicer.empty() ? "a slicer that does not say" : print.slicer);
   const double beside = print.volume([](const PrintGroup& group) { return !group.of_part; });
   if (beside > 0) fmt::print("             beside it {:.4g} mm^3 of supports and the like\n", beside);
+  if (d.supports && d.supports->in_voids > 0)
+    fmt::print(
+        "  supports   voids would take {:.3g} cm^3 of them that nobody gets out ({:.3g} in all): --infill "
+        "15% "
+        "leaves no void, --cut auto opens them{}{}\n",
+        1e-3 * d.supports->in_voids, 1e-3 * d.supports->in_all,
+        d.drain_radius > 0 ? "" : ", --drain lets out what dissolves",
+        d.found_up ? "" : ", --print-up auto may need less");
+  if (d.found_up)
+    fmt::print("  print up   {}: of {} directions {} were sliced\n", text(d.found_up->up, 3),
+               d.found_up->directions, d.found_up->sliced.size());
   if (d.rounds.size() > 1)
     for (std::size_t k = 0; k < d.rounds.size(); ++k)
       fmt::print("  round {:<4} {}\n", k + 1, residual_text(d.rounds[k]));
   if (!d.print_balanced) fmt::print("             {}\n", printed.figures.verdict.text);
+}
+
+/// What a printer's and a filament's errors do to it.
+void print_errors(const Design& d) {
+  if (d.weighed)
+    fmt::print("  weighed    {:.4g} g where {:.4g} were expected: solved again with {:.4g} g/cm^3\n",
+               d.weighed->measured, d.weighed->expected, d.weighed->density);
+  if (!d.survives) return;
+  const auto& [least, most] = *d.survives;
+  const bool no_least = !std::isfinite(least), no_most = !std::isfinite(most);
+  if (no_least && no_most)
+    fmt::print("  survives   any error of flow and density that printers make\n");
+  else
+    fmt::print("  survives   flow or density off by {} to {}\n",
+               no_least ? "any less" : fmt::format("{:+.2g} %", least),
+               no_most ? "any more" : fmt::format("{:+.2g} %", most));
+}
+
+void print_infill(const Design& d) {
+  const InfillUse& use = *d.infill;
+  const std::size_t regions = d.run.voids.pieces.size();
+  fmt::print(
+      "  infill     {:.4g} % {} in {} of {:.4g} mm^3: {:.1f} % of what is full, by {} test blocks of {}\n",
+      use.infill.percent, use.infill.pattern, regions == 1 ? "1 region" : fmt::format("{} regions", regions),
+      use.volume, 100 * use.share, use.density.blocks.size(),
+      use.density.slicer.empty() ? "the slicer" : use.density.slicer);
 }
 
 void print_mould(const WrittenMould& written) {
@@ -148,7 +187,10 @@ void print_design(const Design& d) {
   if (d.thinnest.thickness < d.printer_accuracy)
     fmt::print("  thin       {:.4f} mm of material next to a void at {} mm, less than the printer's {:.2f}\n",
                d.thinnest.thickness, text(d.thinnest.at, 2), d.printer_accuracy);
-  fmt::print("  voids      {}\n", r.voids.text());
+  if (d.infill)
+    print_infill(d);
+  else
+    fmt::print("  voids      {}\n", r.voids.text());
   for (const Drain& drain : d.drains)
     fmt::print("  drain      from {} mm along {}\n", text(drain.from, 2), text(drain.along, 3));
   if (d.drain_radius > 0 && d.drains.size() < r.voids.pieces.size())
@@ -156,12 +198,26 @@ void print_design(const Design& d) {
         "  drain      {} of {} voids have none: no wall that is even over a hole of {:.3g} mm radius; try a "
         "smaller --drain, or --cut auto\n",
         r.voids.pieces.size() - d.drains.size(), r.voids.pieces.size(), d.drain_radius);
+  print_errors(d);
   for (const auto& file : d.files) fmt::print("  written    {}\n", file.string());
   for (const WrittenMould& mould : d.moulds) print_mould(mould);
   fmt::print("  took       {:.1f} s, {:.2g} GiB; {} triangles, {} of them around voids\n", r.whole_seconds,
              r.peak_bytes / (1 << 30), r.verified.triangles, r.verified.void_triangles);
   if (!d.other_axes.empty()) fmt::print("  would help {}\n", d.other_axes);
   fmt::print("{}{}\n", d.print_balanced ? "the print " : "", d.verdict().text);
+}
+
+void print_printers() {
+  fmt::print("{:<52} {:<24} {:<30} {:<12} {}\n", "printer", "bed and height", "nozzles, mm", "layers, mm",
+             "by");
+  for (const Printer& p : printers()) {
+    const std::string layers =
+        p.most_layer > 0 ? fmt::format("{:.3g}-{:.3g}", p.least_layer, p.most_layer) : "-";
+    fmt::print(
+        "{:<52} {:<24} {:<30} {:<12} {}\n",
+        p.also.empty() || p.also.front() == p.name ? p.name : fmt::format("{} ({})", p.name, p.also.front()),
+        p.size_text(), fmt::format("{}", fmt::join(p.nozzles, " ")), layers, p.source);
+  }
 }
 
 }  // namespace kreisel::core::apps

@@ -7,4 +7,7 @@ namespace kreisel::core::apps {
 
 void print_design(const Design& design);
 
+/// The printers that are known.
+void print_printers();
+
 }  // namespace kreisel::core::apps

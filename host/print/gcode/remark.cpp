@@ -51,6 +51,12 @@ constexpr std::array beside = {"skirt", "brim",  "raft",  "support", "tower", "c
 constexpr std::array<std::string_view, 7> explained = {
     "perimeter", "infill", "skirt", "brim", "support material", "support material interface", "gap fill"};
 
+std::string in_small_letters(std::string_view type) {
+  std::string low(type);
+  std::ranges::transform(low, low.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  return low;
+}
+
 }  // namespace
 
 std::string_view trimmed(std::string_view text) {
@@ -83,9 +89,10 @@ std::optional<Remark> remark_of(std::string_view comment) {
 
 bool is_type(std::string_view comment) { return std::ranges::find(explained, comment) != explained.end(); }
 
+bool is_support(std::string_view type) { return in_small_letters(type).find("support") != std::string::npos; }
+
 bool is_of_part(std::string_view type) {
-  std::string low(type);
-  std::ranges::transform(low, low.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  const std::string low = in_small_letters(type);
   return std::ranges::none_of(beside, [&](const char* word) { return low.find(word) != std::string::npos; });
 }
 

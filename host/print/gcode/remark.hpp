@@ -39,6 +39,9 @@ struct Remark {
 /// Whether what is of that type is the part itself. @param type  in any slicer's words
 [[nodiscard]] bool is_of_part(std::string_view type);
 
+/// Whether it is support, or between support and part.
+[[nodiscard]] bool is_support(std::string_view type);
+
 /// Without blanks at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 

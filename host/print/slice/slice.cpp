@@ -14,7 +14,7 @@
 #include "geometry/box.hpp"
 #include "geometry/moved.hpp"
 #include "geometry/rotation.hpp"
-#include "mesh/io/write.hpp"
+#include "mesh/io/encode.hpp"
 #include "print/gcode/read.hpp"
 #include "program/run_program.hpp"
 #include "stop.hpp"
@@ -45,15 +45,6 @@ class WorkFolder {
   fs::path path_;
 };
 
-/// With `up` upward, the lowest point at z = 0 and the middle of its outline above that of the bed.
-Eigen::Isometry3d placed(const TriangleMesh& mesh, const Vec3& up, const Vec3& middle) {
-  Eigen::Isometry3d lay = Eigen::Isometry3d::Identity();
-  lay.linear() = axis_to_z(up);
-  const Box box = bounding_box(moved(mesh, lay).vertices);
-  lay.translation() = middle - Vec3(box.centre()[0], box.centre()[1], box.lo[2]);
-  return lay;
-}
-
 /// @throws InputError  the slicer moved it
 void require_in_place(const Print& print, const Box& mesh, const std::string& slicer) {
   // Paths run inside the outline by half a width, and a layer more or less is printed.
@@ -77,18 +68,60 @@ void write_gcode(const Sliced& sliced, const fs::path& file) {
 MeshSlicer::MeshSlicer(const SliceSpec& spec)
     : spec_(spec),
       slicer_(spec.slicer),
-      settings_(spec.profile.empty() ? slicer_.usual() : read_profile(spec.profile)) {}
+      settings_(spec.profile.empty() ? slicer_.usual() : read_profile(spec.profile)) {
+  if (spec.infill && !slicer_.opens_projects())
+    throw InputError(fmt::format(
+        "--infill by {}, expected prusa-slicer, or a command that opens projects of 3MF", spec.slicer));
+  spec_.dialect = slicer_.dialect(spec.dialect);
+  if (spec.printer && spec.profile.empty())
+    for (const auto& [key, value] : slicer_.usual_on(*spec.printer)) settings_[key] = value;
+}
+
+std::string MeshSlicer::identity() const {
+  return fmt::format("{}\n{}\n{}", spec_.slicer, spec_.dialect == threemf::Dialect::prusa ? "prusa" : "orca",
+                     profile_text(settings_));
+}
+
+std::optional<MeshSlicer> MeshSlicer::with_supports_everywhere() const {
+  MeshSlicer other = *this;
+  const SlicerSettings settings = slicer_.supports_everywhere();
+  if (settings.empty()) return std::nullopt;
+  for (const auto& [key, value] : settings) other.settings_[key] = value;
+  return other;
+}
+
+Eigen::Isometry3d MeshSlicer::placed(const TriangleMesh& mesh, const Vec3& up) const {
+  Eigen::Isometry3d lay = Eigen::Isometry3d::Identity();
+  lay.linear() = axis_to_z(up);
+  const Box box = bounding_box(moved(mesh, lay).vertices);
+  lay.translation() = slicer_.middle(settings_) - Vec3(box.centre()[0], box.centre()[1], box.lo[2]);
+  return lay;
+}
 
 Sliced MeshSlicer::operator()(const TriangleMesh& mesh, const Vec3& up, double density,
                               const Control& control) const {
   const StopScope scope(control.stop);
+  const Eigen::Isometry3d lay = placed(mesh, up);
+  const TriangleMesh laid = moved(mesh, lay);
+  return run(encode_stl({laid}, "the part"), "part.stl", laid, lay, density, control);
+}
+
+Sliced MeshSlicer::operator()(const Filled& part, const Vec3& up, double density,
+                              const Control& control) const {
+  const StopScope scope(control.stop);
+  const Eigen::Isometry3d lay = placed(part.outer, up);
+  const std::string project =
+      encode_project(project_of(part, spec_.infill.value(), spec_.dialect, lay), spec_.dialect, "the part");
+  return run(project, "part.3mf", moved(part.outer, lay), lay, density, control);
+}
+
+Sliced MeshSlicer::run(const std::string& bytes, const char* name, const TriangleMesh& laid,
+                       const Eigen::Isometry3d& lay, double density, const Control& control) const {
   control.tell(fmt::format("slice by {}", spec_.slicer));
   const auto made = std::make_shared<const WorkFolder>();
   const WorkFolder& folder = *made;
-  const SlicerCall call{folder / "part.stl", folder / "part.gcode", folder / "profile.ini", settings_};
-  const Eigen::Isometry3d lay = placed(mesh, up, slicer_.middle(settings_));
-  const TriangleMesh laid = moved(mesh, lay);
-  write_mesh(call.model, {laid});
+  const SlicerCall call{folder / name, folder / "part.gcode", folder / "profile.ini", settings_};
+  write_text(call.model, bytes);
   write_text(call.profile, profile_text(settings_));
   const ProgramEnd end = run_program({.words = slicer_.words(call),
                                       .kept = ProgramSpec::Kept::all,

@@ -133,6 +133,44 @@ Slicer::Slicer(const std::string& command) : command_(split_words(command)) {
         fmt::format("--slicer {}: no such program, expected one that is installed, or its file", program_));
 }
 
+SlicerSettings Slicer::usual_on(const Printer& printer) const {
+  const double nozzle = printer.nozzles.front();
+  double layer = nozzle / 2;
+  if (printer.most_layer > 0) layer = std::clamp(layer, printer.least_layer, printer.most_layer);
+  const Vec3 size = printer.box().extent();
+  const auto text = [](double number) { return fmt::format("{:.6g}", number); };
+  switch (manner_) {
+    case Manner::prusa:
+      return {{"bed_shape", printer.bed_text()},
+              {"max_print_height", text(printer.height)},
+              {"nozzle_diameter", text(nozzle)},
+              {"layer_height", text(layer)},
+              {"first_layer_height", text(layer)}};
+    case Manner::cura:
+      return {{"machine_width", text(size[0])},  {"machine_depth", text(size[1])},
+              {"machine_height", text(size[2])}, {"machine_nozzle_size", text(nozzle)},
+              {"line_width", text(nozzle)},      {"infill_line_distance", text(nozzle)},
+              {"layer_height", text(layer)},     {"layer_height_0", text(layer)}};
+    case Manner::command:
+      break;
+  }
+  return {};
+}
+
+SlicerSettings Slicer::supports_everywhere() const {
+  switch (manner_) {
+    case Manner::prusa:
+      return {{"support_material", "1"},
+              {"support_material_auto", "1"},
+              {"support_material_buildplate_only", "0"}};
+    case Manner::cura:
+      return {{"support_enable", "true"}, {"support_type", "everywhere"}};
+    case Manner::command:
+      break;
+  }
+  return {};
+}
+
 Vec3 Slicer::middle(const SlicerSettings& settings) const {
   if (manner_ == Manner::cura) return Vec3::Zero();
   const auto shape = settings.find("bed_shape");  // "0x0,250x0,250x210,0x210"

@@ -1,0 +1,42 @@
+// infilled.hpp - a part with sparse infill in place of voids: one file for one print.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "fabricate/verify.hpp"
+#include "print/slice/infill_density.hpp"
+#include "session/make_part.hpp"
+
+namespace kreisel::core {
+
+/// What is printed sparsely of a part, and how much that holds.
+struct InfillUse {
+  Infill infill;
+  InfillDensity density;
+  double share = 0;                ///< of what is full, as the part was solved with
+  double volume = 0, surface = 0;  ///< of what is sparse, mm^3 and mm^2
+};
+
+/// As it is sliced. @param solids  parts_of() one material with a filling of its voids
+[[nodiscard]] Filled filled_of(const std::vector<MaterialPart>& solids);
+
+/// mm^2, of a mesh in mm.
+[[nodiscard]] double area_of(const TriangleMesh& mesh);
+
+/// What its infill will hold of what is full. That depends on how much boundary it has, so a part is made
+/// ahead, with what its whole interior would hold. Changes the density of the configuration's voids.
+/// @param config  without density of voids  @param options  of the part
+/// @throws InputError, Interrupted
+[[nodiscard]] InfillUse use_infill(Session& session, RunConfig& config, const InfillDensity& density,
+                                   const Infill& infill, const PartOptions& options, const Control& control);
+
+/// Writes a part as slicers open it, ready to be sliced, and judges what the file holds: its outer surface
+/// with its own density, and within it the sparse region with that of the voids.
+/// @param file  empty: not written, but judged in the same way
+[[nodiscard]] WrittenPart write_infilled(const std::filesystem::path& file,
+                                         const std::vector<MaterialPart>& solids, const Infill& infill,
+                                         threemf::Dialect dialect, const Eigen::Isometry3d& to_bed,
+                                         const SolvedRun& run);
+
+}  // namespace kreisel::core

@@ -1,0 +1,93 @@
+#!/usr/bin/python3
+"""Prints parts of a list three ways, as far as G-code goes, and says which of the prints do what was asked; a table as CSV.
+
+full: the part with its voids, filled, as our profile has it. careless: the same with 15 % gyroid, which is how people
+print. infill: `--infill 15% --balance print`. What was made is left out the next time.
+"""
+
+import argparse
+import csv
+import json
+import pathlib
+import re
+import subprocess
+import tomllib
+
+SPARSE = """layer_height = 0.2
+first_layer_height = 0.2
+nozzle_diameter = 0.4
+filament_diameter = 1.75
+perimeters = 2
+fill_density = 15%
+fill_pattern = gyroid
+skirts = 0
+support_material = 1
+support_material_auto = 1
+support_material_buildplate_only = 1
+bed_shape = 0x0,250x0,250x210,0x210
+max_print_height = 210
+gcode_label_objects = 1
+"""
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("list", help="TOML: [[part]] with name and design (the arguments of `design`)")
+    parser.add_argument("--design", default="design", help="the program (default %(default)s)")
+    parser.add_argument("-o", "--output", default="printed", help="folder of what is made (default %(default)s)")
+    parser.add_argument("--only", help="a regular expression for names")
+    parser.add_argument("--most", type=int, default=30, help="parts (default %(default)s)")
+    return parser.parse_args()
+
+
+def hours(gcode):
+    """What the slicer estimates."""
+    said = re.search(r"estimated printing time \(normal mode\) = (.*)", gcode.read_text(errors="replace"))
+    units = {"d": 24, "h": 1, "m": 1 / 60, "s": 1 / 3600}
+    return sum(float(n) * units[unit] for n, unit in re.findall(r"(\d+)([dhms])", said[1])) if said else ""
+
+
+def made(options, part, way, more):
+    """The report of one way to print a part, or the line that says why there is none."""
+    stem = pathlib.Path(options.output) / f"{part['name']}-{way}"
+    report, gcode = stem.with_suffix(".json"), stem.with_suffix(".gcode")
+    if not report.exists():
+        done = subprocess.run([options.design, *part["design"].split(), "-o", stem.with_suffix(".3mf"), "--json", report,
+                               "--gcode", gcode, "--force", *more],
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        if not report.exists():
+            return {"text": done.stdout.strip().splitlines()[-1] if done.stdout.strip() else f"exit {done.returncode}"}
+    said = json.loads(report.read_text())
+    if "print" not in said:
+        return {"text": said.get("infeasibility", "")}
+    misses = said["print"]["constraint_residual"]
+    return {"ok": said["print"]["ok"], "off_mm": misses["centre_of_mass_mm"], "tilt_degrees": misses["axis_degrees"],
+            "mass_off_g": misses["mass_g"], "mass_g": f"{said['print']['mass_g']:.3f}",
+            "hours": f"{hours(gcode):.2f}" if gcode.exists() else "", "slicings": len(said["print"]["rounds"]),
+            "support_in_voids_mm3": said["print"]["support_in_voids_mm3"], "seconds": f"{said['seconds']:.1f}",
+            "text": said["print"]["text"]}
+
+
+def main():
+    options = arguments()
+    folder = pathlib.Path(options.output)
+    folder.mkdir(parents=True, exist_ok=True)
+    sparse = folder / "sparse.ini"
+    sparse.write_text(SPARSE)
+    ways = {"full": ["--slicer", "prusa-slicer"], "careless": ["--slicer", "prusa-slicer", "--profile", sparse],
+            "infill": ["--infill", "15%", "--balance", "print"]}
+    parts = [part for part in tomllib.loads(pathlib.Path(options.list).read_text())["part"]
+             if not part["design"].startswith(("nest", "yoyo")) and re.search(options.only or "", part["name"])]
+    rows = []
+    for part in parts[:options.most]:
+        for way, more in ways.items():
+            rows.append({"name": part["name"], "way": way} | made(options, part, way, more))
+            print(rows[-1], flush=True)
+    with open(folder / "printed.csv", "w", newline="", encoding="utf-8") as file:
+        table = csv.DictWriter(file, dict.fromkeys(key for row in rows for key in row))
+        table.writeheader()
+        table.writerows(rows)
+
+
+if __name__ == "__main__":
+    main()
