@@ -44,9 +44,9 @@ json to_json(const WrittenMould& written) {
 }
 
 json to_json(const DeformationReport& d) {
-  json steps = json::array();
+  json history = json::array();
   for (const DeformStep& step : d.history)
-    steps.push_back({{"missed", number(step.missed)}, {"largest", step.largest}, {"cuts", step.cuts}});
+    history.push_back({{"missed", number(step.missed)}, {"largest", step.largest}, {"cuts", step.cuts}});
   return {{"reached", to_string(d.reached)},
           {"text", d.text()},
           {"largest_mm", d.largest_mm},
@@ -59,7 +59,7 @@ json to_json(const DeformationReport& d) {
           {"least_determinant", d.least_determinant},
           {"split_triangles", d.split},
           {"missed", number(d.missed)},
-          {"steps", steps},
+          {"steps", history},
           {"seconds", d.seconds}};
 }
 
