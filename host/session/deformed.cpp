@@ -13,8 +13,10 @@
 #include "error.hpp"
 #include "mesh/make/refine.hpp"
 #include "parse.hpp"
+#include "session/solved_run.hpp"
 #include "settings/field_text.hpp"
 #include "stop.hpp"
+#include "stopwatch.hpp"
 
 namespace kreisel::core {
 namespace {
@@ -45,6 +47,10 @@ void require_deformable(const Stages& stages, const RunConfig& question) {
   if (problem.constraints().matrix.rows() == 0)
     refuse(fmt::format("for {}, which any interior does or none", problem.name()),
            "a problem that the moments decide");
+  if (question.deform.within && problem.goal() == Goal::margin)
+    refuse(
+        fmt::format("within {}% for {} with a margin as its target", *question.deform.within, problem.name()),
+        "--deform least");
   const auto water = problem.water();
   constexpr double boat = 0.01;
   if (water && hydrostatics(stages.body->local, water->surface).dry > boat)
@@ -119,28 +125,12 @@ std::string DeformationReport::text() const {
       reached == Reached::constraints ? "; it balances, though what else is asked was out of reach" : "");
 }
 
-Deformed deformed(const Stages& stages, const RunConfig& question, const Control& control) {
-  require_deformable(stages, question);
-  const StopScope scope(control.stop);
-  Body body = *stages.body;
-  const double side = bounding_box(body.local).extent().maxCoeff(), length = body.frame.length;
-  const std::size_t triangles = body.local.triangles.size();
-  split_edges(body.local, [most = longest_face * side](const Vec3& a, const Vec3& b) {
-    return (a - b).squaredNorm() > most * most;
-  });
-  if (question.deform.within && stages.problem->goal() == Goal::margin)
-    throw InputError(fmt::format("--deform {}% for {} with a margin as its target; expected --deform least",
-                                 *question.deform.within, stages.problem->name()));
-  DeformOptions options;
-  options.held = held_of(stages, question.deform, side);
-  if (question.deform.within) options.within = *question.deform.within / 100 * side;
-  GridSpec grid = question.grid;
-  grid.cells.reset();
-  grid.resolution = cells_for(body.local, question.grid.resolution);
-  const double wall = stages.domain->wall() * length;
-  const ShapeRays rays = shape_rays(body, grid, {wall, Wall::millimetres}, room);
-  const Deformation found = deform(body, *stages.problem, rays, options, *stages.device, control);
+namespace {
 
+/// What a search comes to, in mm and the model's coordinates. @param body  undeformed, with its faces split
+Deformed described(const Stages& stages, const RunConfig& question, const Body& body, bool held,
+                   const Deformation& found) {
+  const double side = bounding_box(body.local).extent().maxCoeff(), length = body.frame.length;
   Deformed result;
   DeformationReport& report = result.report;
   report.reached = found.reached;
@@ -153,16 +143,15 @@ Deformed deformed(const Stages& stages, const RunConfig& question, const Control
   report.missed = found.missed;
   report.too_far = found.too_far;
   report.crossings = found.crossings;
-  report.split = body.local.triangles.size() - triangles;
+  report.split = body.local.triangles.size() - stages.body->local.triangles.size();
   report.history = found.history;
-  report.seconds = found.seconds;
   report.before = to_model(body.frame, body.local);
   const TriangleMesh after = to_model(body.frame, found.local);
-  lay_near(report, after, options.held != nullptr);
+  lay_near(report, after, held);
 
   result.axis = body.axis;
   result.contact = body.frame.to_model(found.anchor - stages.problem->anchor());
-  result.wall = {wall, Wall::millimetres, question.wall.to_corners};
+  result.wall = {stages.domain->wall() * length, Wall::millimetres, question.wall.to_corners};
   if (question.settings.contains("problem.point"))
     result.settings["problem.point"] = field_text::text_of(body.frame.to_model(found.anchor));
   if (const auto water = stages.problem->water())
@@ -178,6 +167,51 @@ Deformed deformed(const Stages& stages, const RunConfig& question, const Control
   solid->up = body.usual.up;
   solid->repairs = body.repairs;
   result.solid = std::move(solid);
+  return result;
+}
+
+/// Whether what was reached on the search's grid is reached on the one that was asked for, too.
+bool holds(const Deformed& deformed, const RunConfig& question, const Stages& stages,
+           const Control& control) {
+  Session session(deformed.solid, stages.device);
+  SolvedRun run(session, deformed.question(question), Control{control.stop, {}});
+  run.solve();
+  const Outcome& outcome = run.result.outcome;
+  return outcome.termination != Termination::infeasible &&
+         (deformed.report.reached != Reached::all ||
+          run.problem().verify(outcome.moments, run.result.length_mm).ok);
+}
+
+}  // namespace
+
+Deformed deformed(const Stages& stages, const RunConfig& question, const Control& control) {
+  require_deformable(stages, question);
+  const StopScope scope(control.stop);
+  const Stopwatch watch;
+  Body body = *stages.body;
+  const double side = bounding_box(body.local).extent().maxCoeff();
+  split_edges(body.local, [most = longest_face * side](const Vec3& a, const Vec3& b) {
+    return (a - b).squaredNorm() > most * most;
+  });
+  DeformOptions options;
+  options.held = held_of(stages, question.deform, side);
+  if (question.deform.within) options.within = *question.deform.within / 100 * side;
+  GridSpec grid = question.grid;
+  grid.cells.reset();
+  grid.resolution = cells_for(body.local, question.grid.resolution);
+  const double wall = stages.domain->wall() * body.frame.length;
+  const ShapeRays rays = shape_rays(body, grid, {wall, Wall::millimetres}, room);
+  Deformed result;
+  for (const double margin :
+       {5e-3, 1.5e-2, 4e-2}) {  // a coarse grid of one's own may need more than the usual
+    options.margin = margin;
+    result = described(stages, question, body, options.held != nullptr,
+                       deform(body, *stages.problem, rays, options, *stages.device, control));
+    if (!result.solid || holds(result, question, stages, control)) break;
+    result.solid.reset();
+    result.report.reached = Reached::nothing;
+  }
+  result.report.seconds = watch.seconds();
   return result;
 }
 

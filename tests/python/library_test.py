@@ -410,7 +410,7 @@ class Keywords(unittest.TestCase):
               "problem": "stand", "formulation": "rayrep", "solver": "moment", "domain": "exact", "wall_to": "corners",
               "wall": "2%", "certify": 1e-3, "rounding": "nearest", "cells": (20, 16, 16), "level": 5, "find": "auto",
               "flatten": "auto", "point": (0, 0, 5), "line": (0, 0, 1), "target": "inside", "lower": "height",
-              "draft": "60%", "resolution": 20}
+              "draft": "60%", "resolution": 20, "deform": "least", "keep": "0,0,5,1"}
 
     def test_every_field_is_one_and_can_be_read_again(self):
         for keyword, says in kr.question_fields().items():
