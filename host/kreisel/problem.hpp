@@ -133,8 +133,8 @@ class KREISEL_API Problem {
   /// What could be asked of this body with this shell, in a sentence; empty when there is nothing to say.
   [[nodiscard]] virtual std::string scope(const MassModel&) const { return {}; }
 
-  /// Rows that, where they hold beside constraints(), make what verify() asks beyond those hold as well; tight
-  /// near `s`. None where it asks no more. What shapes a body goes by them, no solver does.
+  /// Rows that, where they hold beside constraints(), make what verify() asks beyond those hold as well;
+  /// tight near `s`. None where it asks no more. What shapes a body goes by them, no solver does.
   [[nodiscard]] virtual LinearConstraints also_asked(const Moments& /*s*/) const { return {}; }
   /// The point of the body frame that the question is about: where the body's shape changes it goes with the
   /// material there. Default the origin.
