@@ -48,15 +48,18 @@ TEST(NearestPoint, MeetsTheConditionsOfAnOptimum) {
   EXPECT_GT(slack.minCoeff(), -1e-6);
   // energy u = - active rows^T lambda with lambda >= 0: no direction along which all active rows stay met
   // lowers it.
-  for (int trial = 0; trial < 200; ++trial) {
+  int looked_along = 0;
+  for (int trial = 0; trial < 5000; ++trial) {
     const Eigen::MatrixX3d d =
         Eigen::MatrixX3d::NullaryExpr(handles, 3, [&] { return uniform(random, -1, 1); });
     const Eigen::VectorXd along = rows.columns().transpose() * d.reshaped();
     bool stays = true;
     for (Eigen::Index r = 0; r < rows.size(); ++r) stays = stays && (slack[r] > 1e-5 || along[r] <= 0);
     if (!stays) continue;
+    ++looked_along;
     EXPECT_GT((energy * u).cwiseProduct(d).sum(), -1e-5);
   }
+  EXPECT_GT(looked_along, 20);
 }
 
 TEST(NearestPoint, OfRowsThatContradictEachOtherIsBetweenThem) {
