@@ -26,7 +26,7 @@ struct DeformOptions {
 /// what is asked from all interiors gives a row that the motion must meet, by its derivative; of all motions
 /// that meet them the nearest is taken, in steps. [docs/deformation.md]
 ///
-/// @param body     undeformed; its mesh should have no faces longer than a twentieth of it (split_for_motion)
+/// @param body     undeformed; its mesh should have no faces longer than a twentieth of it (split_edges())
 /// @param problem  of the undeformed body, and of every deformed one: what it asks depends on the moments
 /// @throws Interrupted
 [[nodiscard]] Deformation deform(const Body& body, const Problem& problem, const ShapeRays& rays,

@@ -47,7 +47,9 @@ ExactColumns interior_of(const TriangleMesh& mesh, const ShapeRays& rays) {
   domain.grid = rays.grid;
   domain.wall = rays.wall;
   domain.intervals = SolidLines(mesh, rays.grid).intervals(rays.wall);
-  if (domain.intervals.empty()) throw InputError("the wall leaves no interior in the deformed body");
+  if (domain.intervals.empty())
+    throw InputError(
+        "--deform: the wall leaves no interior to go by; expected a thinner wall or a finer grid");
   const Grid& grid = domain.grid;
   for (const ExactInterval& run : domain.intervals)
     domain.interior += box_moments({grid.centre(0, run.ix), grid.centre(1, run.iy), (run.z0 + run.z1) / 2},
