@@ -50,9 +50,6 @@ class SolvedRun {
   /// Since the run began, without the certificate.
   [[nodiscard]] double seconds() const { return whole_.seconds() - certifying_; }
 
-  /// Of the body as it was asked, also where it has been deformed.
-  [[nodiscard]] const RunConfig& asked() const { return asked_; }
-
   RunResult result;  ///< its part: nothing yet
 
  private:
