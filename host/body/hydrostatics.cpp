@@ -199,7 +199,8 @@ std::optional<double> waterline_of(const TriangleMesh& mesh, double volume, cons
   if (!span) return {};
   auto [low, high] = *span;
   double z = (low + high) / 2;
-  const double round_off = 1e-15 * box.extent()[2];
+  // Of a level; and of a volume, which is a sum over up to millions of triangles.
+  const double round_off = 1e-15 * box.extent()[2], of_the_sum = 1e-14 * volume;
   double before = std::numeric_limits<double>::infinity();
   // Newton's method, whose slope is the section's area; where it does not halve the error, or leaves what is
   // known to hold the waterline, a halving of that.
@@ -209,6 +210,7 @@ std::optional<double> waterline_of(const TriangleMesh& mesh, double volume, cons
     (error < 0 ? low : high) = z;
     double next = z - error / sum.section.area;
     if (std::abs(next - z) <= round_off) return next;
+    if (std::abs(error) <= of_the_sum) return z;
     if (!(next > low && next < high) || !(std::abs(error) < before / 2)) next = (low + high) / 2;
     if (high - low <= round_off) break;
     before = std::abs(error);

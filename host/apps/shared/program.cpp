@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <malloc.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -100,6 +101,15 @@ int run(int (*dispatch)(int, char**), int argc, char** argv) {
   std::abort();
 }
 
+/// Vectors of a mesh's size come and go. Pages that the system takes back each time must be cleared and
+/// mapped each time.
+void keep_pages() {
+  constexpr int mebibyte = 1 << 20;
+  ::mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);  // the largest that is taken; what is larger goes back at once
+  ::mallopt(M_TRIM_THRESHOLD, 256 * mebibyte);
+  ::mallopt(M_TOP_PAD, 16 * mebibyte);
+}
+
 /// Kinds of runs that have this option, though this command has not.
 std::vector<std::string_view> kinds_with(std::string_view option) {
   std::vector<std::string_view> kinds;
@@ -141,6 +151,7 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error) {
 
 void run_program(const char* name, int (*dispatch)(int, char**), int argc, char** argv) {
   program_name = name;
+  keep_pages();
   (void)interruptions();  // made ahead of any signal
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);

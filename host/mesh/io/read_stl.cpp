@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "geometry/exact_point_hash.hpp"
 #include "geometry/first_equal.hpp"
@@ -31,19 +34,31 @@ class CornerMerge {
     const auto next = std::uint32_t(mesh_.vertices.size());
     mesh_.vertices.push_back(p.array() + 0.0);  // -0 + 0 is 0
     const std::uint32_t first = table_(
-        next,
-        [&](std::uint32_t i) {
-          const Vec3& v = mesh_.vertices[i];
-          return ExactPointHash()({v.x(), v.y(), v.z()});
-        },
+        next, [&](std::uint32_t i) { return hash(mesh_.vertices[i]); },
         [&](std::uint32_t i, std::uint32_t j) { return mesh_.vertices[i] == mesh_.vertices[j]; });
     if (first != next) mesh_.vertices.pop_back();
     return first;
   }
 
+  /// The indices of several corners. What their searches look at first is fetched for all of them before.
+  std::span<const std::uint32_t> operator()(std::span<const Vec3> corners) {
+    hashes_.clear();
+    indices_.clear();
+    for (const Vec3& p : corners) table_.fetch(hashes_.emplace_back(hash(p.array() + 0.0)));
+    for (const std::uint64_t h : hashes_)
+      if (const std::uint32_t met = table_.first_met(h); met != EqualTable::none)
+        __builtin_prefetch(&mesh_.vertices[met]);
+    for (const Vec3& p : corners) indices_.push_back((*this)(p));
+    return indices_;
+  }
+
  private:
+  static std::uint64_t hash(const Vec3& v) { return ExactPointHash()({v.x(), v.y(), v.z()}); }
+
   TriangleMesh& mesh_;
   EqualTable table_;
+  std::vector<std::uint64_t> hashes_;
+  std::vector<std::uint32_t> indices_;
 };
 
 /// Bytes the file has if it is binary and whole, by its facet count; at least header and count.
@@ -76,19 +91,26 @@ MeshReading read_binary(const MeshFile& file) {
   const std::size_t facets = (want - header_bytes - count_bytes) / facet_bytes;
   mesh.triangles.reserve(facets);
   CornerMerge corner(mesh, facets / 2 + 2);  // as many as a ball has
-  for (std::size_t f = 0; f < facets; ++f) {
+  constexpr std::size_t together = 32;
+  std::array<Vec3, 3 * together> corners;
+  for (std::size_t from = 0; from < facets; from += together) {
     stop_here();
-    float v[12];  // normal, then three corners
-    std::memcpy(v, file.bytes.data() + header_bytes + count_bytes + f * facet_bytes, sizeof v);
-    Triangle t;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 p(v[3 * k + 3], v[3 * k + 4], v[3 * k + 5]);
-      if (!p.allFinite())
-        throw InputError(fmt::format("{}: vertex {} of facet {} is ({}, {}, {}), expected finite coordinates",
-                                     file.name, k + 1, f + 1, p.x(), p.y(), p.z()));
-      t[k] = corner(p);
+    const std::size_t to = std::min(from + together, facets);
+    for (std::size_t f = from; f < to; ++f) {
+      float v[12];  // normal, then three corners
+      std::memcpy(v, file.bytes.data() + header_bytes + count_bytes + f * facet_bytes, sizeof v);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 p(v[3 * k + 3], v[3 * k + 4], v[3 * k + 5]);
+        if (!p.allFinite())
+          throw InputError(
+              fmt::format("{}: vertex {} of facet {} is ({}, {}, {}), expected finite coordinates", file.name,
+                          k + 1, f + 1, p.x(), p.y(), p.z()));
+        corners[3 * (f - from) + k] = p;
+      }
     }
-    mesh.triangles.push_back(t);
+    const auto indices = corner(std::span(corners).first(3 * (to - from)));
+    for (std::size_t i = 0; i < indices.size(); i += 3)
+      mesh.triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
   }
   reading.weld = weld_of_binary(largest_coordinate(mesh), std::numeric_limits<float>::digits);
   return reading;
