@@ -74,7 +74,8 @@ void require_printer_takes(const Printer& printer, const DesignSpec& spec, const
         fmt::format("--printer {}: a wall of {:.3g} mm is less than two lines of its nozzle of {:.3g} mm, "
                     "expected {:.3g} mm or more (--wall, --size), or another nozzle (NAME@MM)",
                     printer.name, wall, printer.nozzles.front(), lines));
-  if (!spec.cut.empty() || spec.print.find_up) return;  // its pieces may well fit; directions are looked at
+  // Its pieces may well fit; directions are looked at.
+  if (!spec.cut.empty() || run.body().axle || spec.print.find_up) return;
   const Vec3 up = spec.print.up.value_or(r.frame.rotation.row(2).transpose());
   const TriangleMesh& mesh = run.body().mesh;
   if (fits(printer, mesh, up)) return;
@@ -227,8 +228,8 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
   if (spec.print.wanted()) printing.emplace(spec.print);
   const std::optional<Infill>& infill = spec.print.slicing.infill;
   if (infill) require_infill_alone(spec);
-  if (printing && !spec.cut.empty())
-    throw InputError("--slicer of a part that is cut, expected one in a piece: without --cut");
+  if (spec.print.find_up && (!spec.cut.empty() || spec.config.body.axle.radius))
+    throw InputError("--print-up auto of a part in pieces, expected one in a piece: each stands on its cut");
   if (spec.mould) require_metal(spec.config.body);
   if (spec.mould && spec.file.empty())
     throw InputError("a mould of a part that is not written; expected a file for it");
@@ -249,8 +250,8 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
   SolvedRun run(session, config, control);
   require_taken(run);
   const Body& body = run.body();
-  if (printing && (!body.one_material() || (body.void_density > 0 && !infill) || body.axle))
-    throw InputError("--slicer of a part of several materials or halves, expected one solid");
+  if (printing && (!body.one_material() || (body.void_density > 0 && !infill)))
+    throw InputError("--slicer of a part of several materials, expected one of a single material");
   if (spec.print.balance && !run.exact())
     throw InputError(
         fmt::format("--balance print of {}, expected --formulation quadric", config.formulation));
@@ -290,8 +291,12 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
       };
     if (infill)
       options.written = [&](const std::string& file, const std::vector<MaterialPart>& parts) {
-        return write_infilled(file, parts, *infill, spec.print.slicing.dialect,
-                              printing->placed(run.result, parts.front().surfaces.front()), run);
+        std::vector<LaidPiece> laid;
+        for (PrintPiece& piece : printing->pieces(run, parts)) {
+          const Eigen::Isometry3d to_bed = printing->placed(piece);
+          laid.push_back({std::move(piece), to_bed});
+        }
+        return write_infilled(file, laid, *infill, spec.print.slicing.dialect, run);
       };
     design.part = make_part(run, spec.file.string(), options);
     if (use) {
@@ -304,9 +309,15 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
     if (printing) design.printed = std::move(printed[design.part.round]);
     design.print_balanced = spec.print.balance;
     design.found_up = std::move(found_up);
-    if (printing && !infill && !design.part.cavity.triangles.empty())
-      design.supports = measure_supports(printing->slicer(), design.part.outer, design.part.cavity,
-                                         printing->up_of(run.result), control);
+    if (printing && !infill)
+      for (const PrintPiece& piece : printing->pieces(run, design.part.solids))
+        if (!piece.cavity.triangles.empty())
+          if (const auto of_piece =
+                  measure_supports(printing->slicer(), piece.outer, piece.cavity, piece.up, control)) {
+            if (!design.supports) design.supports.emplace();
+            design.supports->in_voids += of_piece->in_voids;
+            design.supports->in_all += of_piece->in_all;
+          }
     design.survives =
         survived_errors(run, design.printed ? design.printed->moments : run.result.verified.moments);
     if (!cast.empty()) control.tell("mould");
@@ -318,7 +329,9 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
     design.wall = least_wall(design.part.outer, design.part.cavity);
     design.thinnest = thinnest_material(design.part.outer, design.part.cavity, spec.printer_accuracy);
   }
-  if (design.printed && !spec.gcode.empty()) write_gcode(design.printed->sliced, spec.gcode);
+  if (design.printed && !spec.gcode.empty())
+    for (const PrintedPiece& piece : design.printed->pieces)
+      write_gcode(piece.sliced, file_of_piece(spec.gcode, piece.name));
   written.keep();
   design.run = std::move(run.result);
   const RunResult& r = design.run;

@@ -22,13 +22,6 @@ Moments mass_of(const TriangleMesh& model, double density, const Body& body) {
 
 }  // namespace
 
-Filled filled_of(const std::vector<MaterialPart>& solids) {
-  const MaterialPart& part = solids.front();
-  Filled filled{part.surfaces.front(), {}, part.place};
-  if (solids.size() > 1) filled.sparse = solids[1].surfaces.front();
-  return filled;
-}
-
 double area_of(const TriangleMesh& mesh) {
   double twice = 0;
   for (const auto& [a, b, c] : mesh.triangles)
@@ -56,37 +49,43 @@ InfillUse use_infill(Session& session, RunConfig& config, const InfillDensity& d
   return use;
 }
 
-WrittenPart write_infilled(const std::filesystem::path& file, const std::vector<MaterialPart>& solids,
-                           const Infill& infill, threemf::Dialect dialect, const Eigen::Isometry3d& to_bed,
-                           const SolvedRun& run) {
+WrittenPart write_infilled(const std::filesystem::path& file, const std::vector<LaidPiece>& pieces,
+                           const Infill& infill, threemf::Dialect dialect, const SolvedRun& run) {
   const Body& body = run.body();
-  const std::string name = file.empty() ? "the part" : file.string();
-  const threemf::Project project = project_of(filled_of(solids), infill, dialect, to_bed);
-  const std::string bytes = encode_project(project, dialect, name);
-  if (!file.empty()) write_text(file, bytes);
-  const std::vector<threemf::Volume> read = threemf::read_project({name, bytes});
   WrittenPart part;
+  part.moments = body.added;
   std::string wrong;
-  if (read.size() != project.volumes.size() || read.front().modifier)
-    throw InputError(fmt::format("{}: {} volumes, expected {}", name, read.size(), project.volumes.size()));
-  Moments full = Moments::Zero();
-  for (std::size_t i = 0; i < read.size(); ++i) {
-    const TriangleMesh mesh = moved(read[i].mesh, to_bed.inverse());
-    try {
-      require_sound(mesh, name);
-    } catch (const InputError& error) {
-      if (wrong.empty()) wrong = fmt::format("the written mesh is not a solid: {}", error.what());
+  for (const auto& [piece, to_bed] : pieces) {
+    const std::filesystem::path path = file_of_piece(file, piece.name);
+    const std::string name = path.empty() ? "the part" : path.string();
+    const threemf::Project project = project_of(piece.filled(), infill, dialect, to_bed);
+    const std::string bytes = encode_project(project, dialect, name);
+    if (!path.empty()) write_text(path, bytes);
+    const std::vector<threemf::Volume> read = threemf::read_project({name, bytes});
+    if (read.size() != project.volumes.size() || read.front().modifier)
+      throw InputError(fmt::format("{}: {} volumes, expected {}", name, read.size(), project.volumes.size()));
+    const std::size_t outer = part.materials.size();
+    for (std::size_t i = 0; i < read.size(); ++i) {
+      const TriangleMesh mesh = moved(read[i].mesh, to_bed.inverse());
+      try {
+        require_sound(mesh, name);
+      } catch (const InputError& error) {
+        if (wrong.empty()) wrong = fmt::format("the written mesh is not a solid: {}", error.what());
+      }
+      const double density = i == 0 ? piece.density : piece.sparse_density;
+      WrittenMaterial material{i == 0 ? "part" : "filling", density, path, mesh.triangles.size(), 0, {}};
+      material.laid = to_bed;
+      const Moments own = mass_of(mesh, density, body);
+      material.grams = own[S1] * body.mass_grams();
+      part.moments += own;
+      part.materials.push_back(std::move(material));
+      if (i == 0) continue;
+      const Moments full =
+          mass_of(mesh, body.density, body);  // the sparse region is taken out of what is full
+      part.moments -= full;
+      part.materials[outer].grams -= full[S1] * body.mass_grams();
     }
-    WrittenMaterial material{solids[i].name, solids[i].density, file, mesh.triangles.size(), 0, {}};
-    material.laid = to_bed;
-    const Moments own = mass_of(mesh, material.density, body);
-    material.grams = own[S1] * body.mass_grams();
-    part.moments += own;
-    if (i > 0) full += mass_of(mesh, body.density, body);
-    part.materials.push_back(std::move(material));
   }
-  part.materials.front().grams -= full[S1] * body.mass_grams();  // the sparse region is taken out of it
-  part.moments += body.added - full;
   if (wrong.empty())
     part.verdict = run.problem().verify_at_rest(part.moments, body.frame.length);
   else

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "design/print_pieces.hpp"
 #include "fabricate/verify.hpp"
 #include "print/slice/infill_density.hpp"
 #include "session/make_part.hpp"
@@ -18,9 +19,6 @@ struct InfillUse {
   double volume = 0, surface = 0;  ///< of what is sparse, mm^3 and mm^2
 };
 
-/// As it is sliced. @param solids  parts_of() one material with a filling of its voids
-[[nodiscard]] Filled filled_of(const std::vector<MaterialPart>& solids);
-
 /// mm^2, of a mesh in mm.
 [[nodiscard]] double area_of(const TriangleMesh& mesh);
 
@@ -31,12 +29,18 @@ struct InfillUse {
 [[nodiscard]] InfillUse use_infill(Session& session, RunConfig& config, const InfillDensity& density,
                                    const Infill& infill, const PartOptions& options, const Control& control);
 
-/// Writes a part as slicers open it, ready to be sliced, and judges what the file holds: its outer surface
-/// with its own density, and within it the sparse region with that of the voids.
-/// @param file  empty: not written, but judged in the same way
+/// A piece where it lies on the bed.
+struct LaidPiece {
+  PrintPiece piece;
+  Eigen::Isometry3d to_bed;
+};
+
+/// Writes pieces as slicers open them, ready to be sliced, a file each (file_of_piece()), and judges what the
+/// files hold: outer surfaces with their own density, and within them the sparse regions with that of the
+/// voids.
+/// @param file  empty: nothing is written, but judged in the same way
 [[nodiscard]] WrittenPart write_infilled(const std::filesystem::path& file,
-                                         const std::vector<MaterialPart>& solids, const Infill& infill,
-                                         threemf::Dialect dialect, const Eigen::Isometry3d& to_bed,
-                                         const SolvedRun& run);
+                                         const std::vector<LaidPiece>& pieces, const Infill& infill,
+                                         threemf::Dialect dialect, const SolvedRun& run);
 
 }  // namespace kreisel::core

@@ -5,24 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "design/infilled.hpp"
 #include "error.hpp"
 #include "problem/problem.hpp"
 
 namespace kreisel::core {
 namespace {
-
-/// Surfaces as one mesh.
-TriangleMesh joined(const std::vector<TriangleMesh>& surfaces) {
-  TriangleMesh all;
-  for (const TriangleMesh& surface : surfaces) {
-    const auto first = static_cast<std::uint32_t>(all.vertices.size());
-    all.vertices.insert(all.vertices.end(), surface.vertices.begin(), surface.vertices.end());
-    for (const Triangle& t : surface.triangles)
-      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
-  return all;
-}
 
 /// From the bed to the body's frame and units. @param bed  g and mm
 Moments body_moments(const Moments& bed, const Eigen::Isometry3d& bed_to_model, const RunResult& r) {
@@ -43,28 +30,38 @@ bool PrintedPart::balances() const {
          !beyond(residual.axis_degrees, 0.02) && !beyond(residual.mass_g, 1e-3 * figures.mass);
 }
 
+double PrintedPart::beside() const {
+  double sum = 0;
+  for (const PrintedPiece& piece : pieces)
+    sum += piece.sliced.print.volume([](const PrintGroup& group) { return !group.of_part; });
+  return sum;
+}
+
 Printing::Printing(const PrintSpec& spec)
     : up_(spec.up), infill_(spec.slicing.infill.has_value()), slice_(spec.slicing) {
   if (up_ && !(up_->norm() > 0)) throw InputError("--print-up 0,0,0, expected a direction");
 }
 
+std::vector<PrintPiece> Printing::pieces(const SolvedRun& run,
+                                         const std::vector<MaterialPart>& solids) const {
+  return print_pieces(run.body(), solids, infill_, up_of(run.result), up_.has_value());
+}
+
 PrintedPart Printing::operator()(const SolvedRun& run, const std::vector<MaterialPart>& solids,
                                  const Control& control) const {
-  if (!infill_ && solids.size() != 1)
-    throw InputError(
-        fmt::format("--slicer of a part of {} solids, expected one: neither cut nor of several materials",
-                    solids.size()));
   const RunResult& r = run.result;
-  const Vec3 up = up_of(r);
-  const double density = solids.front().density;
-  PrintedPart part{infill_ ? slice_(filled_of(solids), up, density, control)
-                           : slice_(joined(solids.front().surfaces), up, density, control),
-                   {},
-                   {}};
-  const Print& print = part.sliced.print;
-  part.moments = body_moments(print.part_mass(), part.sliced.bed_to_model, r);
-  part.figures = figures_of(part.moments, print.part_volume(), r,
-                            run.problem().verify_at_rest(part.moments, r.length_mm));
+  PrintedPart part{{}, run.body().added, {}};
+  double volume = 0;
+  for (const PrintPiece& piece : pieces(run, solids)) {
+    const Sliced& sliced =
+        part.pieces
+            .emplace_back(piece.name, infill_ ? slice_(piece.filled(), piece.up, piece.density, control)
+                                              : slice_(piece.surface(), piece.up, piece.density, control))
+            .sliced;
+    part.moments += body_moments(sliced.print.part_mass(), sliced.bed_to_model, r);
+    volume += sliced.print.part_volume();
+  }
+  part.figures = figures_of(part.moments, volume, r, run.problem().verify_at_rest(part.moments, r.length_mm));
   part.residual = residual_of(part.figures, r.config);
   return part;
 }

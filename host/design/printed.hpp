@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "design/figures.hpp"
-#include "fabricate/parts.hpp"
+#include "design/print_pieces.hpp"
 #include "print/slice/slice.hpp"
 #include "session/solved_run.hpp"
 
@@ -21,16 +21,26 @@ struct PrintSpec {
   [[nodiscard]] bool wanted() const { return !slicing.slicer.empty(); }
 };
 
-/// What a slicer makes of a part.
-struct PrintedPart {
+/// What a slicer makes of a piece.
+struct PrintedPiece {
+  std::string name;  ///< empty: it is the whole part
   Sliced sliced;
-  Moments moments;  ///< body frame and units
+};
+
+/// What a slicer makes of a part. Pieces are sliced one by one, each in the middle of the bed.
+struct PrintedPart {
+  std::vector<PrintedPiece> pieces;
+  Moments
+      moments;  ///< of all of them where they belong, with what is added to the body; body frame and units
   Figures figures;
   Residual residual{};
 
   /// Whether it does what was asked with so little amiss that another slicing could hardly make it less: 0.01
   /// mm, 0.02 degrees, a thousandth of its mass.
   [[nodiscard]] bool balances() const;
+  [[nodiscard]] const Print& first() const { return pieces.front().sliced.print; }
+  /// mm^3 of what is printed beside it: supports, skirts.
+  [[nodiscard]] double beside() const;
 };
 
 /// Slices parts of one run, and has its problem judge what is printed.
@@ -40,17 +50,19 @@ class Printing {
   explicit Printing(const PrintSpec& spec);
 
   /// @param solids  of the part, model coordinates
-  /// @throws InputError  several solids; as MeshSlicer  @throws Interrupted
+  /// @throws InputError  as MeshSlicer  @throws Interrupted
   [[nodiscard]] PrintedPart operator()(const SolvedRun& run, const std::vector<MaterialPart>& solids,
                                        const Control& control) const;
+  [[nodiscard]] std::vector<PrintPiece> pieces(const SolvedRun& run,
+                                               const std::vector<MaterialPart>& solids) const;
   [[nodiscard]] const MeshSlicer& slicer() const { return slice_; }
   /// Which way is up.
   [[nodiscard]] Vec3 up_of(const RunResult& run) const {
     return up_.value_or(run.frame.rotation.row(2).transpose());
   }
-  /// Where a part lies as it is printed. @param outer  its surface, model coordinates
-  [[nodiscard]] Eigen::Isometry3d placed(const RunResult& run, const TriangleMesh& outer) const {
-    return slice_.placed(outer, up_of(run));
+  /// Where a piece lies as it is printed.
+  [[nodiscard]] Eigen::Isometry3d placed(const PrintPiece& piece) const {
+    return slice_.placed(piece.outer, piece.up);
   }
 
  private:

@@ -92,15 +92,26 @@ json to_json(const FoundUp& found) {
   return {{"up", json_list(found.up)}, {"directions", found.directions}, {"sliced", sliced}};
 }
 
+/// @return  3x4, from the G-code's coordinates to the model's
+json motion_of(const Sliced& sliced) {
+  json rows;
+  const Eigen::Matrix<double, 3, 4> motion = sliced.bed_to_model.matrix().topRows<3>();
+  for (int row = 0; row < 3; ++row) rows.push_back(json_list(motion.row(row).transpose()));
+  return rows;
+}
+
 json to_json(const PrintedPart& printed, const std::vector<Residual>& rounds) {
-  const Print& print = printed.sliced.print;
   json j = to_json(printed.figures);
   j["constraint_residual"] = to_json(printed.residual);
-  const Eigen::Matrix<double, 3, 4> motion = printed.sliced.bed_to_model.matrix().topRows<3>();
-  for (int row = 0; row < 3; ++row) j["bed_to_model"].push_back(json_list(motion.row(row).transpose()));
-  j["slicer"] = print.slicer;
-  j["settings"] = printed.sliced.settings;
-  j["beside_mm3"] = print.volume([](const PrintGroup& group) { return !group.of_part; });
+  if (printed.pieces.size() == 1) j["bed_to_model"] = motion_of(printed.pieces.front().sliced);
+  if (printed.pieces.size() > 1)
+    for (const PrintedPiece& piece : printed.pieces)
+      j["pieces"].push_back({{"name", piece.name},
+                             {"bed_to_model", motion_of(piece.sliced)},
+                             {"volume_mm3", piece.sliced.print.part_volume()}});
+  j["slicer"] = printed.first().slicer;
+  j["settings"] = printed.pieces.front().sliced.settings;
+  j["beside_mm3"] = printed.beside();
   j["rounds"] = json::array();
   for (const Residual& round : rounds) j["rounds"].push_back(to_json(round));
   return j;

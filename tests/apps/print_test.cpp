@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "apps/json_vector.hpp"
 #include "apps/run_bench.hpp"
@@ -176,6 +177,91 @@ TEST_F(PrintedDesign, FollowsWhatTheScalesSayOfTheFirst) {
   EXPECT_NE(answer_.out.find("weighed "), std::string::npos) << answer_.out;
 }
 
+/// What the G-code of each piece holds, put where the report says that it belongs.
+struct Assembled {
+  double volume = 0;
+  Vec3 first = Vec3::Zero();
+};
+
+TEST_F(PrintedDesign, OfAYoyoIsTwoHalvesEachOnItsInnerSide) {
+  KREISEL_NEEDS(installed("prusa-slicer"), "prusa-slicer");
+  answer_ =
+      design(fmt::format("yoyo ellipsoid --size 40 --axle 3 --resolution 32 --fineness 12 --slicer "
+                         "prusa-slicer --accept --gcode {} -o {} --json {}",
+                         file("halves.gcode"), file("halves.stl"), file("out.json")));
+  ASSERT_EQ(answer_.code, 0) << answer_.out;
+  const json made = report();
+  const json& pieces = made.at("print").at("pieces");
+  ASSERT_EQ(pieces.size(), 2u);
+  const Vec3 axis = vector_of(made.at("axis"));
+  Assembled all;
+  for (const json& piece : pieces) {
+    const std::string name = piece.at("name");
+    Eigen::Matrix<double, 3, 4> motion;
+    for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t c = 0; c < 4; ++c)
+        motion(Eigen::Index(r), Eigen::Index(c)) = piece.at("bed_to_model").at(r).at(c).get<double>();
+    EXPECT_NEAR(motion.col(2).dot(axis), name == "upper" ? 1 : -1, 1e-12);
+    ASSERT_EQ(bench(fmt::format("inspect {} --json {}", file(("halves-" + name + ".gcode").c_str()),
+                                file("seen.json")))
+                  .code,
+              0);
+    const json seen = json::parse(std::ifstream(file("seen.json")));
+    const double volume = seen.at("volume_mm3");
+    EXPECT_NEAR(volume, piece.at("volume_mm3").get<double>(), 1e-9 * volume);
+    all.volume += volume;
+    all.first += volume * (motion.leftCols<3>() * vector_of(seen.at("centre_of_mass_mm")) + motion.col(3));
+  }
+  // With the axle, which is of the same material and about the origin of the yo-yo, that is the print.
+  const double mass = made.at("print").at("mass_g"), density = made.at("density");
+  const double axle = 1e3 * mass / density - all.volume;
+  const double radius = 3;  // 24-sided prism or so: within the circle
+  EXPECT_GT(axle, 0);
+  EXPECT_LT(axle, std::numbers::pi * radius * radius * 40);
+  const Vec3 centre = (all.first + axle * vector_of(made.at("contact"))) / (all.volume + axle);
+  EXPECT_LT((centre - vector_of(made.at("print").at("centre_of_mass_mm"))).norm(), 1e-6);
+  EXPECT_NEAR(mass, made.at("after").at("mass_g").get<double>(), 0.05 * mass);
+}
+
+TEST_F(PrintedDesign, OfACutPartIsItsPiecesEachOnItsCut) {
+  KREISEL_NEEDS(installed("prusa-slicer"), "prusa-slicer");
+  const json made = top("--size 30 --cut auto --accept");
+  ASSERT_EQ(answer_.code, 0) << answer_.out;
+  const json& pieces = made.at("print").at("pieces");
+  ASSERT_EQ(pieces.size(), 2u);
+  EXPECT_EQ(made.at("print").count("bed_to_model"), 0u);
+  for (const char* name : {"top-upper.gcode", "top-lower.gcode"})
+    EXPECT_TRUE(std::filesystem::exists(file(name)));
+  Vec3 up[2];
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t r = 0; r < 3; ++r)
+      up[k][Eigen::Index(r)] = pieces.at(k).at("bed_to_model").at(r).at(2).get<double>();
+  EXPECT_LT((up[0] + up[1]).norm(), 1e-12);
+  const double mass = made.at("after").at("mass_g");
+  EXPECT_NEAR(made.at("print").at("mass_g").get<double>(), mass, 0.06 * mass);
+  EXPECT_LT((vector_of(made.at("print").at("centre_of_mass_mm")) -
+             vector_of(made.at("after").at("centre_of_mass_mm")))
+                .norm(),
+            0.3);
+}
+
+TEST_F(PrintedDesign, FindsTheWayUpThatNeedsLeastSupportInVoids) {
+  KREISEL_NEEDS(installed("prusa-slicer"), "prusa-slicer");
+  const json made = top("--size 25 --wall 1 --print-up auto --accept");
+  ASSERT_EQ(answer_.code, 0) << answer_.out;
+  const json& print = made.at("print");
+  const json& tried = print.at("found_up").at("sliced");
+  ASSERT_GE(tried.size(), 3u);
+  double least = 1e9;
+  for (const json& one : tried) least = std::min(least, one.at("support_in_voids_mm3").get<double>());
+  EXPECT_LT(least, 0.7 * tried.at(0).at("support_in_voids_mm3").get<double>());
+  // The part is printed that way up.
+  const Vec3 up = vector_of(print.at("found_up").at("up"));
+  for (std::size_t r = 0; r < 3; ++r)
+    EXPECT_NEAR(print.at("bed_to_model").at(r).at(2).get<double>(), up[Eigen::Index(r)], 1e-12);
+  EXPECT_NEAR(print.at("support_in_voids_mm3").get<double>(), least, 0.02 * least + 1);
+}
+
 TEST_F(PrintedDesign, IsRefusedByAPrinterThatIsTooSmall) {
   expect_refused("--printer 'Bambu Lab A1 mini' --size 200", "the part takes 200 x 130 x 127.5 mm");
   expect_refused("--printer 'Bambu Lab A1 mini' --wall 0.7", "less than two lines of its nozzle of 0.4 mm");
@@ -200,7 +286,8 @@ TEST_F(PrintedDesign, WithInfillIsRefusedInOneLine) {
 
 TEST_F(PrintedDesign, SaysAheadThatItCannotBeSliced) {
   expect_refused("--slicer /nowhere/prusa-slicer", "apt-get install prusa-slicer");
-  expect_refused("--slicer 'sh {model} {gcode}' --cut auto", "--slicer of a part that is cut");
+  expect_refused("--slicer 'sh {model} {gcode}' --cut auto --print-up auto",
+                 "--print-up auto of a part in pieces");
   expect_refused("--slicer 'sh {model} {gcode}' --print-up 0,0,0", "--print-up 0,0,0");
   expect_refused("--slicer 'sh {model} {gcode}' --profile /nowhere.ini", "--profile /nowhere.ini");
   expect_refused("--slicer 'sh {model} {gcode}' --balance print --formulation voxel",

@@ -95,10 +95,11 @@ std::string residual_text(const Residual& residual) {
 /// Of what a slicer makes of it.
 void print_printed(const Design& d) {
   const PrintedPart& printed = *d.printed;
-  const Print& print = printed.sliced.print;
-  fmt::print("  print      misses {}; by {}\n", residual_text(printed.residual),
-             print.slicer.empty() ? "a slicer that does not say" : print.slicer);
-  const double beside = print.volume([](const PrintGroup& group) { return !group.of_part; });
+  const std::string& slicer = printed.first().slicer;
+  fmt::print("  print      misses {}; by {}{}\n", residual_text(printed.residual),
+             slicer.empty() ? "a slicer that does not say" : slicer,
+             printed.pieces.size() == 1 ? "" : fmt::format(", {} pieces one by one", printed.pieces.size()));
+  const double beside = printed.beside();
   if (beside > 0) fmt::print("             beside it {:.4g} mm^3 of supports and the like\n", beside);
   if (d.supports && d.supports->in_voids > 0)
     fmt::print(
@@ -107,7 +108,7 @@ void print_printed(const Design& d) {
         "leaves no void, --cut auto opens them{}{}\n",
         1e-3 * d.supports->in_voids, 1e-3 * d.supports->in_all,
         d.drain_radius > 0 ? "" : ", --drain lets out what dissolves",
-        d.found_up ? "" : ", --print-up auto may need less");
+        d.found_up || printed.pieces.size() > 1 ? "" : ", --print-up auto may need less");
   if (d.found_up)
     fmt::print("  print up   {}: of {} directions {} were sliced\n", text(d.found_up->up, 3),
                d.found_up->directions, d.found_up->sliced.size());
