@@ -30,7 +30,7 @@ def hours(gcode):
     """What the slicer estimates."""
     said = re.search(r"estimated printing time \(normal mode\) = (.*)", gcode.read_text(errors="replace"))
     units = {"d": 24, "h": 1, "m": 1 / 60, "s": 1 / 3600}
-    return sum(float(n) * units[unit] for n, unit in re.findall(r"(\d+)([dhms])", said[1])) if said else ""
+    return sum(float(n) * units[unit] for n, unit in re.findall(r"(\d+)([dhms])", said[1])) if said else 0
 
 
 def made(options, part, way, more):
@@ -46,10 +46,11 @@ def made(options, part, way, more):
     said = json.loads(report.read_text())
     if "print" not in said:
         return {"text": said.get("infeasibility", "")}
+    gcodes = [gcode] if gcode.exists() else sorted(stem.parent.glob(f"{stem.name}-*.gcode"))  # of pieces
     misses = said["print"]["constraint_residual"]
     return {"ok": said["print"]["ok"], "off_mm": misses["centre_of_mass_mm"], "tilt_degrees": misses["axis_degrees"],
             "mass_off_g": misses["mass_g"], "mass_g": f"{said['print']['mass_g']:.3f}",
-            "hours": f"{hours(gcode):.2f}" if gcode.exists() else "", "slicings": len(said["print"]["rounds"]),
+            "hours": f"{sum(map(hours, gcodes)):.2f}" if gcodes else "", "slicings": len(said["print"]["rounds"]),
             "support_in_voids_mm3": said["print"]["support_in_voids_mm3"], "seconds": f"{said['seconds']:.1f}",
             "text": said["print"]["text"]}
 
@@ -72,7 +73,7 @@ def main():
     ways = {"full": ["--slicer", "prusa-slicer"], "careless": ["--slicer", "prusa-slicer", "--profile", sparse],
             "infill": ["--infill", "15%", "--balance", "print"]}
     parts = [part for part in tomllib.loads(pathlib.Path(options.list).read_text())["part"]
-             if not part["design"].startswith(("nest", "yoyo")) and re.search(options.only or "", part["name"])]
+             if not part["design"].startswith("nest") and re.search(options.only or "", part["name"])]
     rows = []
     for part in parts[:options.most]:
         for way, more in ways.items():

@@ -9,7 +9,9 @@
 #include <regex>
 
 #include "apps/run_design.hpp"
+#include "deform/bodies.hpp"
 #include "installed.hpp"
+#include "mesh/io/write.hpp"
 #include "temporary_folder.hpp"
 
 namespace kreisel::core {
@@ -86,6 +88,35 @@ TEST_F(Page, ShowsThePartAndCutsItOpen) {
   EXPECT_EQ(number("open", closed), 0) << "nothing is cut";
   EXPECT_GT(number("open", half), 1314) << "pixels of material that is cut";
   EXPECT_EQ(number("open", moved), number("open", half)) << "by the slider";
+}
+
+TEST_F(Page, SetsThePrintBesideThePart) {
+  KREISEL_NEEDS(installed("chromium"), "chromium");
+  KREISEL_NEEDS(installed("prusa-slicer"), "prusa-slicer");
+  const BenchAnswer a = design(
+      fmt::format("spin ellipsoid --size 25 --wall 1 --resolution 24 --fineness 8 --slicer prusa-slicer "
+                  "-o {0}/part.stl --html {0}/page.html --force --accept",
+                  folder_.path.string()));
+  ASSERT_EQ(a.code, 0) << a.out;
+  const std::string dom = opened("page", "cut=0.5");
+  EXPECT_EQ(dom.find("<body data-error"), std::string::npos) << dom.substr(0, 2000);
+  EXPECT_NE(dom.find("<th>solid</th><th>part</th><th>print</th>"), std::string::npos);
+  EXPECT_NE(dom.find("as printed by PrusaSlicer"), std::string::npos);
+}
+
+TEST_F(Page, OfADeformedBodySlidesBetweenBothShapes) {
+  KREISEL_NEEDS(installed("chromium"), "chromium");
+  write_mesh(folder_.path / "leaning.off", {leaning_ellipsoid({14, 16, 30}, 50, 40)});
+  const BenchAnswer a =
+      design(fmt::format("spin {0}/leaning.off --resolution 32 --wall 1.5 --deform least -o {0}/part.stl "
+                         "--html {0}/page.html --force --accept",
+                         folder_.path.string()));
+  ASSERT_EQ(a.code, 0) << a.out;
+  const std::string now = opened("page", "cut=0"), before = opened("page", "cut=0&shape=0");
+  for (const std::string& dom : {now, before})
+    EXPECT_EQ(dom.find("<body data-error"), std::string::npos) << dom.substr(0, 2000);
+  EXPECT_EQ(number("shape", before), 0);
+  EXPECT_NE(number("drawn", before), number("drawn", now)) << "another outline";
 }
 
 TEST_F(Page, OfANestedDollTakesItApart) {
