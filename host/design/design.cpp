@@ -291,12 +291,8 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
       };
     if (infill)
       options.written = [&](const std::string& file, const std::vector<MaterialPart>& parts) {
-        std::vector<LaidPiece> laid;
-        for (PrintPiece& piece : printing->pieces(run, parts)) {
-          const Eigen::Isometry3d to_bed = printing->placed(piece);
-          laid.push_back({std::move(piece), to_bed});
-        }
-        return write_infilled(file, laid, *infill, spec.print.slicing.dialect, run);
+        return write_infilled(file, printing->pieces(run, parts), printing->slicer(),
+                              spec.print.slicing.dialect, run);
       };
     design.part = make_part(run, spec.file.string(), options);
     if (use) {

@@ -49,16 +49,17 @@ InfillUse use_infill(Session& session, RunConfig& config, const InfillDensity& d
   return use;
 }
 
-WrittenPart write_infilled(const std::filesystem::path& file, const std::vector<LaidPiece>& pieces,
-                           const Infill& infill, threemf::Dialect dialect, const SolvedRun& run) {
+WrittenPart write_infilled(const std::filesystem::path& file, const std::vector<PrintPiece>& pieces,
+                           const MeshSlicer& slicer, threemf::Dialect dialect, const SolvedRun& run) {
   const Body& body = run.body();
   WrittenPart part;
   part.moments = body.added;
   std::string wrong;
-  for (const auto& [piece, to_bed] : pieces) {
+  for (const PrintPiece& piece : pieces) {
     const std::filesystem::path path = file_of_piece(file, piece.name);
     const std::string name = path.empty() ? "the part" : path.string();
-    const threemf::Project project = project_of(piece.filled(), infill, dialect, to_bed);
+    const threemf::Project project = slicer.project(piece.filled(), piece.up, dialect);
+    const Eigen::Isometry3d& to_bed = project.to_bed;
     const std::string bytes = encode_project(project, dialect, name);
     if (!path.empty()) write_text(path, bytes);
     const std::vector<threemf::Volume> read = threemf::read_project({name, bytes});

@@ -7,6 +7,7 @@
 #include "design/print_pieces.hpp"
 #include "fabricate/verify.hpp"
 #include "print/slice/infill_density.hpp"
+#include "print/slice/slice.hpp"
 #include "session/make_part.hpp"
 
 namespace kreisel::core {
@@ -29,18 +30,12 @@ struct InfillUse {
 [[nodiscard]] InfillUse use_infill(Session& session, RunConfig& config, const InfillDensity& density,
                                    const Infill& infill, const PartOptions& options, const Control& control);
 
-/// A piece where it lies on the bed.
-struct LaidPiece {
-  PrintPiece piece;
-  Eigen::Isometry3d to_bed;
-};
-
 /// Writes pieces as slicers open them, ready to be sliced, a file each (file_of_piece()), and judges what the
 /// files hold: outer surfaces with their own density, and within them the sparse regions with that of the
 /// voids.
 /// @param file  empty: nothing is written, but judged in the same way
 [[nodiscard]] WrittenPart write_infilled(const std::filesystem::path& file,
-                                         const std::vector<LaidPiece>& pieces, const Infill& infill,
+                                         const std::vector<PrintPiece>& pieces, const MeshSlicer& slicer,
                                          threemf::Dialect dialect, const SolvedRun& run);
 
 }  // namespace kreisel::core

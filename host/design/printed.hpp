@@ -60,10 +60,6 @@ class Printing {
   [[nodiscard]] Vec3 up_of(const RunResult& run) const {
     return up_.value_or(run.frame.rotation.row(2).transpose());
   }
-  /// Where a piece lies as it is printed.
-  [[nodiscard]] Eigen::Isometry3d placed(const PrintPiece& piece) const {
-    return slice_.placed(piece.outer, piece.up);
-  }
 
  private:
   std::optional<Vec3> up_;

@@ -128,6 +128,14 @@ TEST_F(PrintedDesign, HasSparseInfillInPlaceOfVoids) {
   EXPECT_NEAR(print.at("mass_g").get<double>(), made.at("after").at("mass_g").get<double>(),
               0.03 * made.at("after").at("mass_g").get<double>());
   EXPECT_LT(print.at("constraint_residual").at("centre_of_mass_mm").get<double>(), 0.02);
+  // Opened without being told anything, the file is sliced to the same: its profile is in it.
+  ASSERT_EQ(shell(fmt::format("prusa-slicer --export-gcode --dont-arrange -o {} {}", file("again.gcode"),
+                              file("top.3mf")))
+                .code,
+            0);
+  ASSERT_EQ(bench(fmt::format("inspect {} --json {}", file("again.gcode"), file("seen.json"))).code, 0);
+  const double again = json::parse(std::ifstream(file("seen.json"))).at("volume_mm3");
+  EXPECT_NEAR(again, print.at("volume_mm3").get<double>(), 1e-3 * again);
 }
 
 TEST_F(PrintedDesign, IsAProjectForOtherSlicersToo) {

@@ -98,6 +98,12 @@ Eigen::Isometry3d MeshSlicer::placed(const TriangleMesh& mesh, const Vec3& up) c
   return lay;
 }
 
+threemf::Project MeshSlicer::project(const Filled& part, const Vec3& up, threemf::Dialect dialect) const {
+  threemf::Project project = project_of(part, spec_.infill.value(), dialect, placed(part.outer, up));
+  project.settings.assign(settings_.begin(), settings_.end());
+  return project;
+}
+
 Sliced MeshSlicer::operator()(const TriangleMesh& mesh, const Vec3& up, double density,
                               const Control& control) const {
   const StopScope scope(control.stop);
@@ -109,10 +115,9 @@ Sliced MeshSlicer::operator()(const TriangleMesh& mesh, const Vec3& up, double d
 Sliced MeshSlicer::operator()(const Filled& part, const Vec3& up, double density,
                               const Control& control) const {
   const StopScope scope(control.stop);
-  const Eigen::Isometry3d lay = placed(part.outer, up);
-  const std::string project =
-      encode_project(project_of(part, spec_.infill.value(), spec_.dialect, lay), spec_.dialect, "the part");
-  return run(project, "part.3mf", moved(part.outer, lay), lay, density, control);
+  const threemf::Project laid = project(part, up, spec_.dialect);
+  return run(encode_project(laid, spec_.dialect, "the part"), "part.3mf", moved(part.outer, laid.to_bed),
+             laid.to_bed, density, control);
 }
 
 Sliced MeshSlicer::run(const std::string& bytes, const char* name, const TriangleMesh& laid,

@@ -50,6 +50,11 @@ class MeshSlicer {
   /// of the bed. @param up  any length but zero
   [[nodiscard]] Eigen::Isometry3d placed(const TriangleMesh& mesh, const Vec3& up) const;
 
+  /// A part with infill, where it lies with `up` upward, as slicers open it: with the settings that it is
+  /// sliced with here.
+  /// @param part  of a specification with infill
+  [[nodiscard]] threemf::Project project(const Filled& part, const Vec3& up, threemf::Dialect dialect) const;
+
   /// @param mesh     closed, mm  @param up  of the print, in the mesh's coordinates; any length but zero
   /// @param density  of the filament, g/cm^3
   /// @throws InputError   the slicer fails, takes too long, or prints elsewhere

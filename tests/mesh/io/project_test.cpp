@@ -83,6 +83,17 @@ TEST_P(Projects, SaySettingsWhereTheirSlicerLooksForThem) {
   for (const std::string& text : expected) EXPECT_NE(settings.find(text), std::string::npos) << settings;
 }
 
+TEST(PrusaProjects, HoldTheProfile) {
+  threemf::Project project = boxes();
+  project.settings = {{"layer_height", "0.2"}, {"fill_density", "15%"}};
+  const auto packed = [&](Dialect dialect) {
+    return threemf::unpack({"a.3mf", encode_project(project, dialect, "a.3mf")});
+  };
+  EXPECT_EQ(packed(Dialect::prusa).at("metadata/slic3r_pe.config"),
+            "; layer_height = 0.2\n; fill_density = 15%\n");
+  EXPECT_FALSE(packed(Dialect::orca).contains("metadata/slic3r_pe.config"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Dialects, Projects, ::testing::Values(Dialect::prusa, Dialect::orca));
 
 }  // namespace THIS_FILE

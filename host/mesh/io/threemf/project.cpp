@@ -64,6 +64,13 @@ std::string prusa_settings(const Project& project) {
   return text + " </object>\n</config>\n";
 }
 
+/// Of the whole project, as PrusaSlicer keeps them at the end of its G-code, too.
+std::string prusa_profile(const Settings& settings) {
+  std::string text;
+  for (const auto& [key, value] : settings) add(text, "; {} = {}\n", key, value);
+  return text;
+}
+
 std::string orca_model(const Project& project, const std::string& name) {
   std::string text = orca_head, components;
   text += " <resources>\n";
@@ -132,6 +139,8 @@ std::string encode_project(const Project& project, Dialect dialect, const std::s
   if (dialect == Dialect::prusa) {
     parts.emplace_back("3D/3dmodel.model", prusa_model(project, name));
     parts.emplace_back("Metadata/Slic3r_PE_model.config", prusa_settings(project));
+    if (!project.settings.empty())
+      parts.emplace_back("Metadata/Slic3r_PE.config", prusa_profile(project.settings));
   } else {
     parts.emplace_back("3D/3dmodel.model", orca_model(project, name));
     parts.emplace_back("Metadata/model_settings.config", orca_settings(project));

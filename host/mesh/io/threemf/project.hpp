@@ -17,12 +17,14 @@ enum class Dialect {
   orca,   ///< OrcaSlicer, Bambu Studio: an object of components, which Metadata/model_settings.config names
 };
 
+using Settings = std::vector<std::pair<std::string, std::string>>;  ///< in the slicer's words
+
 /// A closed surface, and what is set within it.
 struct Volume {
   std::string name;
   TriangleMesh mesh;
   bool modifier = false;  ///< no material: it changes the settings of what is inside it
-  std::vector<std::pair<std::string, std::string>> settings = {};  ///< in the slicer's words
+  Settings settings = {};
 };
 
 /// One thing to be printed.
@@ -31,6 +33,7 @@ struct Project {
   std::vector<Volume> volumes;  ///< material first; model coordinates, mm
   Vec3 place = Vec3::Zero();    ///< coordinates are written about it (place_of())
   Eigen::Isometry3d to_bed = Eigen::Isometry3d::Identity();  ///< where it is printed
+  Settings settings = {};                                    ///< of all of it; of prusa, whose words they are
 };
 
 /// @param name  what errors call it  @throws InputError  a coordinate that the format cannot hold
