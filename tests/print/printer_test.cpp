@@ -86,7 +86,7 @@ TEST(Printers, TakeWhatLiesOnTheirBed) {
   EXPECT_FALSE(round.holds(box_mesh({-72, -72, 0}, {72, 72, 1})));
 }
 
-TEST(Printers, OfOursCiteTheirMaker) {
+TEST(Printers, OfOursCiteAProfile) {
   for (const Printer& printer : printers()) {
     EXPECT_GE(printer.bed.size(), 3u) << printer.name;
     EXPECT_GT(printer.height, 50) << printer.name;
