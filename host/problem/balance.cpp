@@ -58,8 +58,9 @@ Fields<LineSettings> line_fields(std::string_view point, std::string_view line) 
 }
 
 Fields<LineSettings> balance_fields() {
-  return line_fields("where the centre of mass is to be, mm, model coordinates",
-                     "direction of a line through that point; default the point itself");
+  return line_fields(
+      "where the centre of mass is to be, mm in model coordinates",
+      "direction of a line through that point, where any place on it will do; default: the point itself");
 }
 
 std::unique_ptr<Problem> make_balance(const Settings& settings, const Body& body) {

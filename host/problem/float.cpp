@@ -247,15 +247,17 @@ double waterline_for(const DraftSpec& draft, const Body& body, double fluid, dou
 
 Fields<FloatSettings> float_fields() {
   using namespace field_text;
-  return {{"draft", "", "60% of the height (default), mm, grams (40g), solid, or auto",
-           [](auto& s, auto k, auto v) { s.draft = draft(k, v); },
-           [](auto& s) { return kreisel::core::text_of(s.draft); }},
-          {"fluid_density", "g/cm^3", "default 1",
-           [](auto& s, auto k, auto v) { s.fluid_density = positive(k, v); },
-           [](auto& s) { return number_text(s.fluid_density); }},
-          {"load", "g@x,y,z", "a weight that it carries and where, mm; several with ; between",
-           [](auto& s, auto k, auto v) { s.loads = loads(k, v); },
-           [](auto& s) { return kreisel::core::text_of(s.loads); }}};
+  return {
+      {"draft", "",
+       "how deep it floats: 60% of the height (default), mm, grams of displaced water (40g), solid, or auto",
+       [](auto& s, auto k, auto v) { s.draft = draft(k, v); },
+       [](auto& s) { return kreisel::core::text_of(s.draft); }},
+      {"fluid_density", "g/cm^3", "density of what it floats in; default 1",
+       [](auto& s, auto k, auto v) { s.fluid_density = positive(k, v); },
+       [](auto& s) { return number_text(s.fluid_density); }},
+      {"load", "g@x,y,z", "a weight that it carries, and where, mm; several with ; between",
+       [](auto& s, auto k, auto v) { s.loads = loads(k, v); },
+       [](auto& s) { return kreisel::core::text_of(s.loads); }}};
 }
 
 Moments moments_of(const std::vector<Load>& loads, const Body& body) {

@@ -58,8 +58,8 @@ Verdict Hang::verify(const Moments& s, double length_mm) const {
 }
 
 Fields<LineSettings> hang_fields() {
-  return line_fields("from where it hangs, mm, model coordinates; default the highest point",
-                     "which way is up; default the model's");
+  return line_fields("from where it hangs, mm in model coordinates; default: the highest point",
+                     "which way is up; default: the model's");
 }
 
 std::unique_ptr<Problem> make_hang(const Settings& settings, const Body& body) {

@@ -172,14 +172,17 @@ const std::vector<std::string_view> targets = {"centre", "inside", "max-tilt"};
 Fields<StandSettings> stand_fields() {
   using namespace field_text;
   return {one_of<StandSettings>(
-              "target", "centre, inside or max-tilt; default centre, of design max-tilt", targets,
-              [](auto& s) -> auto& { return s.target; }),
-          {"margin", "mm", "from the edge of the base, of target = inside; default 1 % of the body's length",
+              "target",
+              "where the centre of mass goes: centre (over the middle of the base), inside (over the base, "
+              "low) or max-tilt (hardest to topple); default centre, of design max-tilt",
+              targets, [](auto& s) -> auto& { return s.target; }),
+          {"margin", "mm",
+           "least distance from the edge of the base, with target inside; default 1 % of the body's length",
            [](auto& s, auto k, auto v) {
              s.margin_mm = number_where(k, v, "millimetres >= 0", [](double mm) { return mm >= 0; });
            },
            [](auto& s) { return number_text(s.margin_mm); }},
-          {"base", "%", "of the height, within which corners touch the ground; default what it rests on",
+          {"base", "%", "corners up to this share of the height touch the ground; default: what it rests on",
            [](auto& s, auto k, auto v) {
              s.base_percent = parse_with_unit(v, "%").value_or(-1);
              if (!(*s.base_percent >= 0 && *s.base_percent < 100))
