@@ -23,7 +23,8 @@ Balance::Balance(const Vec3& point, const std::optional<Vec3>& direction)
     const Vec3& e = across[static_cast<std::size_t>(r)];
     constraints_.matrix.row(r).segment<3>(SX) = e.transpose();
     constraints_.matrix(r, S1) = -e.dot(point);
-    constraints_.names.push_back(fmt::format("centre of mass along {:.3f},{:.3f},{:.3f}", e[0], e[1], e[2]));
+    constraints_.names.emplace_back(direction_ ? "the centre of mass stays {} beside the line"
+                                               : "the centre of mass stays {} away from the point");
   }
   constraints_.lower = constraints_.upper = Eigen::VectorXd::Zero(rows);
 }

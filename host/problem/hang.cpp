@@ -36,7 +36,7 @@ Hang::Hang(const Vec3& point, const Vec3& up) : on_line_(point, up), constraints
   c.matrix(row, S1) = -e.dot(point);
   c.lower[row] = -std::numeric_limits<double>::infinity();
   c.upper[row] = 0;
-  c.names.emplace_back("centre of mass below the point");
+  c.names.emplace_back("the centre of mass stays {} above the point");
 }
 
 Verdict Hang::verify(const Moments& s, double length_mm) const {
