@@ -28,6 +28,7 @@ packages=(
 python=(pybind11-dev python3-dev)
 ci=(clang-format prusa-slicer chromium                                # slicer and browser: 800 MB, for two tests
     python3-nbconvert python3-ipykernel
+    groff-base                                                        # reads the programs' pages, for one test
     slurmctld slurmd slurm-client munge)                              # a cluster of two virtual nodes, for one test
 case "${1:-}" in
   "") ;;

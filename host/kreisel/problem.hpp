@@ -25,7 +25,7 @@ namespace kreisel {
 struct LinearConstraints {
   Eigen::Matrix<double, Eigen::Dynamic, 10> matrix;
   Eigen::VectorXd lower, upper;
-  std::vector<std::string> names;
+  std::vector<std::string> names;  ///< what is said of a miss, "the mass stays {} too large"; or mere names
 };
 
 /// Water that a body lies in, body frame and units.

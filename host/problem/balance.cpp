@@ -23,7 +23,8 @@ Balance::Balance(const Vec3& point, const std::optional<Vec3>& direction)
     const Vec3& e = across[static_cast<std::size_t>(r)];
     constraints_.matrix.row(r).segment<3>(SX) = e.transpose();
     constraints_.matrix(r, S1) = -e.dot(point);
-    constraints_.names.push_back(fmt::format("centre of mass along {:.3f},{:.3f},{:.3f}", e[0], e[1], e[2]));
+    constraints_.names.emplace_back(direction_ ? "the centre of mass stays {} beside the line"
+                                               : "the centre of mass stays {} away from the point");
   }
   constraints_.lower = constraints_.upper = Eigen::VectorXd::Zero(rows);
 }
@@ -58,8 +59,9 @@ Fields<LineSettings> line_fields(std::string_view point, std::string_view line) 
 }
 
 Fields<LineSettings> balance_fields() {
-  return line_fields("where the centre of mass is to be, mm, model coordinates",
-                     "direction of a line through that point; default the point itself");
+  return line_fields(
+      "where the centre of mass is to be, mm in model coordinates",
+      "direction of a line through that point, where any place on it will do; default: the point itself");
 }
 
 std::unique_ptr<Problem> make_balance(const Settings& settings, const Body& body) {

@@ -87,7 +87,7 @@ LinearConstraints box_around(const Vec3& middle, double radius) {
       const double sign = side ? -1 : 1;
       rows.matrix(row, SX + k) = sign;
       rows.matrix(row, S1) = -sign * middle[k] - radius;
-      rows.names.push_back(fmt::format("centre of mass along {}", "xyz"[k]));
+      rows.names.emplace_back("the centre of mass stays {} outside the box that is searched");
     }
   return rows;
 }

@@ -27,8 +27,8 @@ Float::Float(const Draft& draft) : draft_(draft) {
   const Vec3& cb = draft.water.centre_of_buoyancy;
   constraints_.lower = constraints_.upper =
       Eigen::Vector3d(draft.mass, cb[0] * draft.mass, cb[1] * draft.mass) - draft.load.head<3>();
-  constraints_.names = {"mass = displaced mass", "cx over the centre of buoyancy",
-                        "cy over the centre of buoyancy"};
+  const char* beside = "the centre of mass stays {} beside the vertical through the centre of buoyancy";
+  constraints_.names = {"the mass stays {} away from that of the displaced water", beside, beside};
   if (!draft.sought) return;
   constexpr double none = std::numeric_limits<double>::infinity();
   constraints_.matrix.conservativeResizeLike(Eigen::MatrixXd::Zero(4, 10));
@@ -37,7 +37,7 @@ Float::Float(const Draft& draft) : draft_(draft) {
       Eigen::Vector4d(constraints_.lower[0], constraints_.lower[1], constraints_.lower[2], -none);
   constraints_.upper = Eigen::Vector4d(constraints_.upper[0], constraints_.upper[1], constraints_.upper[2],
                                        draft.water.metacentre() * draft.mass - draft.load[SZ]);
-  constraints_.names.push_back("cz below the metacentre");
+  constraints_.names.push_back("the centre of mass stays {} above the metacentre");
 }
 
 Moments Float::gradient(const Moments&) const { return Moments::Unit(SZ) / draft_.mass; }
@@ -48,7 +48,7 @@ LinearConstraints Float::also_asked(const Moments&) const {
   rows.matrix = Moments::Unit(SZ).transpose();
   rows.lower.setConstant(1, -std::numeric_limits<double>::infinity());
   rows.upper.setConstant(1, (draft_.water.metacentre() - spare) * draft_.mass - draft_.load[SZ]);
-  rows.names = {"cz below the metacentre"};
+  rows.names = {"the centre of mass stays {} above the metacentre"};
   return rows;
 }
 
@@ -247,15 +247,17 @@ double waterline_for(const DraftSpec& draft, const Body& body, double fluid, dou
 
 Fields<FloatSettings> float_fields() {
   using namespace field_text;
-  return {{"draft", "", "60% of the height (default), mm, grams (40g), solid, or auto",
-           [](auto& s, auto k, auto v) { s.draft = draft(k, v); },
-           [](auto& s) { return kreisel::core::text_of(s.draft); }},
-          {"fluid_density", "g/cm^3", "default 1",
-           [](auto& s, auto k, auto v) { s.fluid_density = positive(k, v); },
-           [](auto& s) { return number_text(s.fluid_density); }},
-          {"load", "g@x,y,z", "a weight that it carries and where, mm; several with ; between",
-           [](auto& s, auto k, auto v) { s.loads = loads(k, v); },
-           [](auto& s) { return kreisel::core::text_of(s.loads); }}};
+  return {
+      {"draft", "",
+       "how deep it floats: 60% of the height (default), mm, grams of displaced water (40g), solid, or auto",
+       [](auto& s, auto k, auto v) { s.draft = draft(k, v); },
+       [](auto& s) { return kreisel::core::text_of(s.draft); }},
+      {"fluid_density", "g/cm^3", "density of what it floats in; default 1",
+       [](auto& s, auto k, auto v) { s.fluid_density = positive(k, v); },
+       [](auto& s) { return number_text(s.fluid_density); }},
+      {"load", "g@x,y,z", "a weight that it carries, and where, mm; several with ; between",
+       [](auto& s, auto k, auto v) { s.loads = loads(k, v); },
+       [](auto& s) { return kreisel::core::text_of(s.loads); }}};
 }
 
 Moments moments_of(const std::vector<Load>& loads, const Body& body) {

@@ -36,7 +36,7 @@ Hang::Hang(const Vec3& point, const Vec3& up) : on_line_(point, up), constraints
   c.matrix(row, S1) = -e.dot(point);
   c.lower[row] = -std::numeric_limits<double>::infinity();
   c.upper[row] = 0;
-  c.names.emplace_back("centre of mass below the point");
+  c.names.emplace_back("the centre of mass stays {} above the point");
 }
 
 Verdict Hang::verify(const Moments& s, double length_mm) const {
@@ -58,8 +58,8 @@ Verdict Hang::verify(const Moments& s, double length_mm) const {
 }
 
 Fields<LineSettings> hang_fields() {
-  return line_fields("from where it hangs, mm, model coordinates; default the highest point",
-                     "which way is up; default the model's");
+  return line_fields("from where it hangs, mm in model coordinates; default: the highest point",
+                     "which way is up; default: the model's");
 }
 
 std::unique_ptr<Problem> make_hang(const Settings& settings, const Body& body) {

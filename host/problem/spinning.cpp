@@ -55,7 +55,10 @@ Spinning::Spinning(const SpinWeights& weights, bool centred, SpinForm form)
   for (Eigen::Index row = 0; row < rows; ++row) {
     const MomentIndex k = zero[static_cast<std::size_t>(row)];
     constraints_.matrix(row, k) = 1;
-    constraints_.names.emplace_back(fmt::format("{} = 0", moment_names[k]));
+    constraints_.names.emplace_back(k == SX || k == SY ? "the centre of mass stays {} beside the axis"
+                                    : k == SZ
+                                        ? "the centre of mass stays {} above or below the axle's centre"
+                                        : "a product of inertia of {} stays, which tilts the principal axis");
   }
   constraints_.lower = constraints_.upper = Eigen::VectorXd::Zero(rows);
   if (form == SpinForm::angle) nonlinear_ = std::make_shared<PrincipalAngle>(weights);
@@ -82,7 +85,10 @@ LinearConstraints Spinning::also_asked(const Moments& s) const {
     row *= -larger;
     row[SXX] += 1;
     row[SYY] += 1;
-    rows.names.push_back(fmt::format("Izz the largest, against the axis at {:.0f} degrees", 30.0 * k));
+    rows.names.push_back(
+        fmt::format("the moment about the axis stays {{}} short of 1.05 times that about the line across it "
+                    "at {:.0f} degrees",
+                    30.0 * k));
   }
   return rows;
 }

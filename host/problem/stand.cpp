@@ -16,7 +16,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// For every edge of the base a row with an upper bound of 0: `extra` beside n . (sx, sy) - d s1.
-LinearConstraints edge_rows(const Base& base, std::string_view what, const Moments& extra) {
+/// @param stays  where the centre of mass does, of an edge
+LinearConstraints edge_rows(const Base& base, std::string_view stays, const Moments& extra) {
   const auto rows = static_cast<Eigen::Index>(base.polygon.edges.size());
   LinearConstraints c;
   c.matrix = extra.transpose().replicate(rows, 1);
@@ -25,7 +26,7 @@ LinearConstraints edge_rows(const Base& base, std::string_view what, const Momen
     c.matrix(i, SX) += e.n[0];
     c.matrix(i, SY) += e.n[1];
     c.matrix(i, S1) -= e.d;
-    c.names.push_back(fmt::format("{} edge {} of the base", what, i));
+    c.names.push_back(fmt::format("the centre of mass stays {{}} {} edge {} of the base", stays, i));
   }
   c.lower.setConstant(rows, -infinity);
   c.upper.setZero(rows);
@@ -79,11 +80,11 @@ Stand::Stand(Base base, std::optional<double> margin) : base_(std::move(base)), 
     c.matrix(0, S1) = -base_.polygon.centroid[0];
     c.matrix(1, S1) = -base_.polygon.centroid[1];
     c.lower = c.upper = Eigen::Vector2d::Zero();
-    c.names = {"cx over the base's centroid", "cy over the base's centroid"};
+    c.names.assign(2, "the centre of mass stays {} beside the vertical through the middle of the base");
     return;
   }
   allowed_ = shrunk(base_.polygon, *margin);
-  c = edge_rows(base_, "inside", *margin * Moments::Unit(S1));
+  c = edge_rows(base_, *margin > 0 ? "too near to, or beyond," : "beyond", *margin * Moments::Unit(S1));
 }
 
 Moments Stand::gradient(const Moments& s) const { return height_gradient(s); }
@@ -113,7 +114,9 @@ Verdict Stand::verify(const Moments& s, double length_mm) const {
 }
 
 MaxTilt::MaxTilt(Base base, double tau)
-    : base_(std::move(base)), tau_(tau), constraints_(edge_rows(base_, "tilt over", tau * height_form())) {}
+    : base_(std::move(base)),
+      tau_(tau),
+      constraints_(edge_rows(base_, "too far out to be tilted further over", tau * height_form())) {}
 
 const SupportPolygon::Edge& MaxTilt::nearest(const Moments& s) const {
   const Vec3 c = centre_of_mass(s);
@@ -172,14 +175,17 @@ const std::vector<std::string_view> targets = {"centre", "inside", "max-tilt"};
 Fields<StandSettings> stand_fields() {
   using namespace field_text;
   return {one_of<StandSettings>(
-              "target", "centre, inside or max-tilt; default centre, of design max-tilt", targets,
-              [](auto& s) -> auto& { return s.target; }),
-          {"margin", "mm", "from the edge of the base, of target = inside; default 1 % of the body's length",
+              "target",
+              "where the centre of mass goes: centre (over the middle of the base), inside (over the base, "
+              "low) or max-tilt (hardest to topple); default centre, of design max-tilt",
+              targets, [](auto& s) -> auto& { return s.target; }),
+          {"margin", "mm",
+           "least distance from the edge of the base, with target inside; default 1 % of the body's length",
            [](auto& s, auto k, auto v) {
              s.margin_mm = number_where(k, v, "millimetres >= 0", [](double mm) { return mm >= 0; });
            },
            [](auto& s) { return number_text(s.margin_mm); }},
-          {"base", "%", "of the height, within which corners touch the ground; default what it rests on",
+          {"base", "%", "corners up to this share of the height touch the ground; default: what it rests on",
            [](auto& s, auto k, auto v) {
              s.base_percent = parse_with_unit(v, "%").value_or(-1);
              if (!(*s.base_percent >= 0 && *s.base_percent < 100))

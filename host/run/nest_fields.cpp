@@ -87,50 +87,54 @@ Choices words_until(Enum last) {
 /// Which shapes.
 Fields<NestShapes> shape_fields() {
   return grouped<NestShapes>(
-      "shapes", {chosen_from<NestShapes>(
-                     shape_names, {"outer", "", "the shape outside: a name of `bench list`, or a mesh file",
-                                   [](NestShapes& c, S, S v) { c.outer = v; },
-                                   [](const NestShapes& c) { return c.outer; }, Identity::changed, 1, true}),
-                 chosen_from<NestShapes>(
-                     shape_names, {"inner", "", "the shape inside; default the outer one",
-                                   [](NestShapes& c, S, S v) { c.inner = v; },
-                                   [](const NestShapes& c) { return c.inner == c.outer ? "" : c.inner; },
-                                   Identity::changed, 1, true}),
-                 {"outer-size", "", "longest side of the outer shape; default as its file has it",
-                  [](NestShapes& c, S n, S v) { c.outer_size = positive(n, v); },
-                  [](const NestShapes& c) { return text_of_number(c.outer_size); }},
-                 {"inner-size", "",
-                  "longest side of the inner shape, which scales count from; default as its file has it",
-                  [](NestShapes& c, S n, S v) { c.inner_size = positive(n, v); },
-                  [](const NestShapes& c) { return text_of_number(c.inner_size); }},
-                 {"fineness", "", "of a parametric model: about 20 n^2 triangles",
-                  [](NestShapes& c, S n, S v) { c.fineness = whole(n, v, 1); },
-                  [](const NestShapes& c) { return text_of_number(c.fineness); }}});
+      "shapes",
+      {chosen_from<NestShapes>(shape_names,
+                               {"outer", "", "the outer shape: a name of `bench list`, or a mesh file",
+                                [](NestShapes& c, S, S v) { c.outer = v; },
+                                [](const NestShapes& c) { return c.outer; }, Identity::changed, 1, true}),
+       chosen_from<NestShapes>(shape_names,
+                               {"inner", "", "the inner shape, named likewise; default: the outer one",
+                                [](NestShapes& c, S, S v) { c.inner = v; },
+                                [](const NestShapes& c) { return c.inner == c.outer ? "" : c.inner; },
+                                Identity::changed, 1, true}),
+       {"outer-size", "", "longest side of the outer shape; default: as its file has it",
+        [](NestShapes& c, S n, S v) { c.outer_size = positive(n, v); },
+        [](const NestShapes& c) { return text_of_number(c.outer_size); }},
+       {"inner-size", "", "longest side of the inner shape, at scale 1; default: as its file has it",
+        [](NestShapes& c, S n, S v) { c.inner_size = positive(n, v); },
+        [](const NestShapes& c) { return text_of_number(c.inner_size); }},
+       {"fineness", "", "n: a model of our own gets about 20 n^2 triangles",
+        [](NestShapes& c, S n, S v) { c.fineness = whole(n, v, 1); },
+        [](const NestShapes& c) { return text_of_number(c.fineness); }}});
 }
 
 /// What is kept, and where it is computed.
 Fields<NestShapes> keeping_fields() {
   return grouped<NestShapes>(
-      "device", {one_of<NestShapes>(
-                     "keep-shapes", "yes: the record holds the meshes, for plots/nest_picture.py; default no",
-                     {"no", "yes"}, [](auto& c) -> auto& { return c.keep_shapes; }),
-                 {"device", "", "index or part of a name; default KREISEL_DEVICE, else a GPU, else PoCL",
-                  [](NestShapes& c, S, S v) { c.device = v; }, [](const NestShapes& c) { return c.device; },
-                  Identity::none}});
+      "device",
+      {one_of<NestShapes>(
+           "keep-shapes", "yes: keep the meshes in the record, for plots/nest_picture.py; default no",
+           {"no", "yes"}, [](auto& c) -> auto& { return c.keep_shapes; }),
+       {"device", "",
+        "OpenCL device: its index, or part of its name; default: KREISEL_DEVICE, else a GPU, else PoCL on "
+        "the processor",
+        [](NestShapes& c, S, S v) { c.device = v; }, [](const NestShapes& c) { return c.device; },
+        Identity::none}});
 }
 
 /// How the inner shape is turned, and the cut.
 Fields<NestTurn> turn_fields() {
   return grouped<NestTurn>(
       "placement",
-      {{"rotation", "x,y,z", "of the inner shape: axis times degrees, x,y,z; default none",
+      {{"rotation", "x,y,z",
+        "how the inner shape is turned: an axis times the degrees about it; default: not at all",
         [](NestTurn& c, S n, S v) { c.rotation = vector(n, v); },
         [](const NestTurn& c) { return text_of(c.rotation); }},
-       {"plane", "x,y,z", "normal of the cut, x,y,z; default 0,0,1",
+       {"plane", "x,y,z", "normal of the cut; default 0,0,1",
         [](NestTurn& c, S n, S v) { c.plane = direction(n, v); },
         [](const NestTurn& c) { return text_of(c.plane); }},
        {"removal", "x,y,z x,y,z",
-        "directions in which the halves above and below leave; default along the normal",
+        "directions in which the halves above and below the cut leave; default: along its normal",
         [](NestTurn& c, S n, S v) { c.removal = directions(n, v); },
         [](const NestTurn& c) {
           return c.removal ? fmt::format("{} {}", text_of(c.removal->first), text_of(c.removal->second)) : "";
@@ -142,10 +146,11 @@ Fields<NestTurn> turn_fields() {
 Fields<NestPlace> place_fields() {
   return grouped<NestPlace>(
       "placement",
-      {{"centroid", "x,y,z", "where the inner shape's centroid goes, outer coordinates; default the outer's",
+      {{"centroid", "x,y,z",
+        "where the centroid of the inner shape goes, in outer coordinates; default: the outer's centroid",
         [](NestPlace& c, S n, S v) { c.centroid = vector(n, v); },
         [](const NestPlace& c) { return text_of_point(c.centroid); }},
-       {"through", "x,y,z", "a point of the cut, outer coordinates; default --centroid",
+       {"through", "x,y,z", "a point of the cut, in outer coordinates; default: --centroid",
         [](NestPlace& c, S n, S v) { c.through = vector(n, v); },
         [](const NestPlace& c) { return text_of_point(c.through); }}});
 }
@@ -153,23 +158,23 @@ Fields<NestPlace> place_fields() {
 /// What decides.
 Fields<NestDecision> decision_fields() {
   return grouped<NestDecision>(
-      "decision",
-      {chosen_from<NestDecision>([] { return nest::feasibility_tests(); },
-                                 {"variant", "", "what decides: peel, envelope, exact or hybrid (default)",
-                                  [](NestDecision& c, S, S v) {
-                                    nest::require_test(v);
-                                    c.variant = v;
-                                  },
-                                  [](const NestDecision& c) { return c.variant; }}),
-       {"resolution", "", "pixels along a side of a view of peel and envelope; default 512",
-        [](NestDecision& c, S n, S v) { c.resolution = integer(n, v); },
-        [](const NestDecision& c) { return text_of_number(c.resolution); }},
-       {"upper", "", "largest scale to look at; default what can fit",
-        [](NestDecision& c, S n, S v) { c.upper = number(n, v); },
-        [](const NestDecision& c) { return text_of_number(c.upper); }},
-       {"tolerance", "", "of the scale that is searched; default 1e-4",
-        [](NestDecision& c, S n, S v) { c.tolerance = number(n, v); },
-        [](const NestDecision& c) { return text_of_number(c.tolerance); }}});
+      "decision", {chosen_from<NestDecision>(
+                       [] { return nest::feasibility_tests(); },
+                       {"variant", "", "which test decides: peel, envelope, exact or hybrid (default)",
+                        [](NestDecision& c, S, S v) {
+                          nest::require_test(v);
+                          c.variant = v;
+                        },
+                        [](const NestDecision& c) { return c.variant; }}),
+                   {"resolution", "", "pixels along a side of a view, for peel and envelope; default 512",
+                    [](NestDecision& c, S n, S v) { c.resolution = integer(n, v); },
+                    [](const NestDecision& c) { return text_of_number(c.resolution); }},
+                   {"upper", "", "largest scale to look at; default: what can fit",
+                    [](NestDecision& c, S n, S v) { c.upper = number(n, v); },
+                    [](const NestDecision& c) { return text_of_number(c.upper); }},
+                   {"tolerance", "", "how near to the largest scale the search comes; default 1e-4",
+                    [](NestDecision& c, S n, S v) { c.tolerance = number(n, v); },
+                    [](const NestDecision& c) { return text_of_number(c.tolerance); }}});
 }
 
 /// What is free, and how long it is searched.
@@ -177,8 +182,8 @@ Fields<NestSearch> free_fields() {
   return grouped<NestSearch>(
       "search",
       {{"free", "",
-        "look for the largest nesting over: rotation or upright, position, plane or centroid-plane, removal; "
-        "a list with commas, or all",
+        "what a search for the largest nesting may change: rotation or upright, position, plane or "
+        "centroid-plane, removal; with commas between, or all",
         [](NestSearch& c, S, S v) {
           nest::Freedom().set_free(v);
           c.free = v;
@@ -188,10 +193,10 @@ Fields<NestSearch> free_fields() {
         [](NestSearch& c, S n, S v) { c.up = direction(n, v); },
         [](const NestSearch& c) { return text_of(c.up); }},
        {"keep-out", "x,y,z,radius ...",
-        "balls x,y,z,radius, outer coordinates: the cut does not touch the surface in them",
+        "balls x,y,z,radius in outer coordinates, in which the cut does not touch the surface",
         [](NestSearch& c, S n, S v) { c.keep_outs = balls(n, v); },
         [](const NestSearch& c) { return text_of_balls(c.keep_outs); }, Identity::changed, 0},
-       {"seconds", "s", "after which the search ends, with the best so far; default never",
+       {"seconds", "s", "end the search after this time, with the best so far; default: never",
         [](NestSearch& c, S n, S v) { c.seconds = positive(n, v); },
         [](const NestSearch& c) { return std::isinf(c.seconds) ? "" : text_of_number(c.seconds); }}});
 }
@@ -201,7 +206,7 @@ Fields<NestSearch> swarm_fields() {
   return grouped<NestSearch>(
       "swarm",
       {chosen_from<NestSearch>(words_of(nest::variants()),
-                               {"swarm", "", "basic, hybrid or hybrid+abort (default)",
+                               {"swarm", "", "kind of swarm: basic, hybrid or hybrid+abort (default)",
                                 [](NestSearch& c, S, S v) {
                                   if (nest::is_baseline(v))
                                     (void)nest::find_baseline(v);
@@ -210,13 +215,13 @@ Fields<NestSearch> swarm_fields() {
                                   c.swarm = v;
                                 },
                                 [](const NestSearch& c) { return c.swarm; }}),
-       {"particles", "", "of all swarms together; default 200",
+       {"particles", "", "how many particles, of all swarms together; default 200",
         [](NestSearch& c, S n, S v) { c.search.swarm.particles = integer(n, v); },
         [](const NestSearch& c) { return text_of_number(c.search.swarm.particles); }},
-       {"iterations", "", "of the swarm; default 150",
+       {"iterations", "", "how many iterations of the swarm; default 150",
         [](NestSearch& c, S n, S v) { c.search.swarm.iterations = integer(n, v); },
         [](const NestSearch& c) { return text_of_number(c.search.swarm.iterations); }},
-       {"seed", "", "of a swarm, and of random placements; default 1",
+       {"seed", "", "seed of the random numbers; default 1",
         [](NestSearch& c, S n, S v) {
           const auto seed = parse<std::uint64_t>(v);
           if (!seed) refuse(n, v, "a whole number >= 0");
@@ -230,20 +235,20 @@ Fields<NestSearch> swarm_fields() {
             [](const NestSearch& c) { return std::string(to_string(c.search.swarm.topology)); }}),
        chosen_from<NestSearch>(
            words_until(nest::Momentum::constriction),
-           {"momentum", "", "of particles: constant, decreasing or constriction (default)",
+           {"momentum", "", "how particles keep their speed: constant, decreasing or constriction (default)",
             [](NestSearch& c, S, S v) { c.search.swarm.momentum = nest::parse_momentum(v); },
             [](const NestSearch& c) { return std::string(to_string(c.search.swarm.momentum)); }}),
        {"inertia", "",
-        "part of its velocity that a particle keeps at constant or decreasing momentum; default 0.98",
+        "share of its velocity that a particle keeps, at constant or decreasing momentum; default 0.98",
         [](NestSearch& c, S n, S v) { c.search.swarm.inertia = number(n, v); },
         [](const NestSearch& c) { return text_of_number(c.search.swarm.inertia); }},
-       {"last-inertia", "", "what a decreasing inertia ends at; default 0.4",
+       {"last-inertia", "", "where a decreasing inertia ends; default 0.4",
         [](NestSearch& c, S n, S v) { c.search.swarm.last_inertia = number(n, v); },
         [](const NestSearch& c) { return text_of_number(c.search.swarm.last_inertia); }},
-       {"own", "", "pull of a particle's own best, but with constriction; default 0.01",
+       {"own", "", "pull of a particle's own best, except with constriction; default 0.01",
         [](NestSearch& c, S n, S v) { c.search.swarm.own = number(n, v); },
         [](const NestSearch& c) { return text_of_number(c.search.swarm.own); }},
-       {"social", "", "pull of its neighbours' best, but with constriction; default 0.01",
+       {"social", "", "pull of its neighbours' best, except with constriction; default 0.01",
         [](NestSearch& c, S n, S v) { c.search.swarm.social = number(n, v); },
         [](const NestSearch& c) { return text_of_number(c.search.swarm.social); }}});
 }
@@ -265,16 +270,16 @@ Fields<NestSearch> climb_fields() {
        {"candidates", "", "positions that a particle tries before it starts from the best; default 1",
         [](NestSearch& c, S n, S v) { c.search.swarm.candidates = integer(n, v); },
         [](const NestSearch& c) { return text_of_number(c.search.swarm.candidates); }},
-       {"swarms", "", "that know nothing of each other; default 1",
+       {"swarms", "", "how many swarms, which know nothing of each other; default 1",
         [](NestSearch& c, S n, S v) { c.search.swarm.swarms = integer(n, v); },
         [](const NestSearch& c) { return text_of_number(c.search.swarm.swarms); }},
-       {"patience", "", "iterations without a rise after which a swarm starts anew; default 0, never",
+       {"patience", "", "a swarm starts anew after so many iterations without a rise; default 0: never",
         [](NestSearch& c, S n, S v) { c.search.swarm.patience = integer(n, v); },
         [](const NestSearch& c) { return text_of_number(c.search.swarm.patience); }},
        {"climbs", "", "final refinements, from the best positions of different particles; default 1",
         [](NestSearch& c, S n, S v) { c.search.climbs = whole(n, v, 0); },
         [](const NestSearch& c) { return text_of_number(c.search.climbs); }},
-       {"climb-iterations", "", "of a refinement at most; default 300",
+       {"climb-iterations", "", "most iterations of a refinement; default 300",
         [](NestSearch& c, S n, S v) { c.search.climb.iterations = integer(n, v); },
         [](const NestSearch& c) { return text_of_number(c.search.climb.iterations); }},
        {"climb-step", "",
@@ -288,7 +293,7 @@ template <class T>
 Fields<T> timing_fields() {
   return grouped<T>(
       "decision",
-      {{"timings", "", "repetitions by which every variant is timed at the placement found; default none",
+      {{"timings", "", "time every variant at the placement found, with so many repetitions; default: none",
         [](T& c, S n, S v) { c.timings = whole(n, v, 0); },
         [](const T& c) { return text_of_number(c.timings); }}});
 }
@@ -297,7 +302,7 @@ Fields<T> timing_fields() {
 Fields<NestSwarm> island_fields() {
   return grouped<NestSwarm>(
       "swarm", {{"exchange", "",
-                 "iterations after which swarms of other seeds hear of each other's best; default 0, never",
+                 "swarms of other seeds hear of each other's best after so many iterations; default 0: never",
                  [](NestSwarm& c, S n, S v) { c.exchange = whole(n, v, 0); },
                  [](const NestSwarm& c) { return text_of_number(c.exchange); }}});
 }
@@ -312,24 +317,24 @@ Fields<NestTest> test_fields() {
 /// Shapes in shapes in shapes.
 Fields<NestLayers> layer_fields() {
   return grouped<NestLayers>(
-      "layers",
-      {{"layers", "", "put a shape into the one outside it this often, or until nothing fits; with --free",
-        [](NestLayers& c, S n, S v) { c.layers = whole(n, v, 1); },
-        [](const NestLayers& c) { return text_of_number(c.layers); }},
-       chosen_from<NestLayers>(
-           shape_names,
-           {"within", "", "of layers: shapes inside the inner one, the outermost first",
-            [](NestLayers& c, S, S v) { c.within = split_words(v); },
-            [](const NestLayers& c) { return joined_words(c.within); }, Identity::changed, 0, true}),
-       {"printer-accuracy", "mm", "of layers: how far a printed surface may be off, mm; default 0",
-        [](NestLayers& c, S n, S v) { c.tolerances.accuracy = at_least_0(n, v); },
-        [](const NestLayers& c) { return text_of_number(c.tolerances.accuracy); }},
-       {"wall", "mm", "of layers: least thickness that is left, mm; default 0",
-        [](NestLayers& c, S n, S v) { c.tolerances.wall = at_least_0(n, v); },
-        [](const NestLayers& c) { return text_of_number(c.tolerances.wall); }},
-       {"cells", "", "of layers: voxels along the longest side of what is offset; default 192",
-        [](NestLayers& c, S n, S v) { c.cells = whole(n, v, 8); },
-        [](const NestLayers& c) { return text_of_number(c.cells); }}});
+      "layers", {{"layers", "",
+                  "how often to put a shape into the one outside it, unless nothing fits before; with --free",
+                  [](NestLayers& c, S n, S v) { c.layers = whole(n, v, 1); },
+                  [](const NestLayers& c) { return text_of_number(c.layers); }},
+                 chosen_from<NestLayers>(
+                     shape_names, {"within", "", "layers: shapes inside the inner one, the outermost first",
+                                   [](NestLayers& c, S, S v) { c.within = split_words(v); },
+                                   [](const NestLayers& c) { return joined_words(c.within); },
+                                   Identity::changed, 0, true}),
+                 {"printer-accuracy", "mm", "layers: how far a printed surface may be off; default 0",
+                  [](NestLayers& c, S n, S v) { c.tolerances.accuracy = at_least_0(n, v); },
+                  [](const NestLayers& c) { return text_of_number(c.tolerances.accuracy); }},
+                 {"wall", "mm", "layers: least thickness of material that is left; default 0",
+                  [](NestLayers& c, S n, S v) { c.tolerances.wall = at_least_0(n, v); },
+                  [](const NestLayers& c) { return text_of_number(c.tolerances.wall); }},
+                 {"cells", "", "layers: voxels along the longest side of what is offset; default 192",
+                  [](NestLayers& c, S n, S v) { c.cells = whole(n, v, 8); },
+                  [](const NestLayers& c) { return text_of_number(c.cells); }}});
 }
 
 Fields<NestAccuracy> accuracy_fields() {
@@ -337,7 +342,7 @@ Fields<NestAccuracy> accuracy_fields() {
       "accuracy", {{"accuracy", "", "compare the variants over this many random placements instead",
                     [](NestAccuracy& c, S n, S v) { c.accuracy = whole(n, v, 1); },
                     [](const NestAccuracy& c) { return text_of_number(c.accuracy); }},
-                   {"seed", "", "of a swarm, and of random placements; default 1",
+                   {"seed", "", "seed of the random numbers; default 1",
                     [](NestAccuracy& c, S n, S v) {
                       const auto seed = parse<std::uint64_t>(v);
                       if (!seed) refuse(n, v, "a whole number >= 0");
@@ -355,16 +360,16 @@ Fields<NestOutlines> outline_fields() {
         "longer side",
         [](NestOutlines& c, S n, S v) { c.landscape = whole(n, v, 1); },
         [](const NestOutlines& c) { return text_of_number(c.landscape); }},
-       {"rotations", "", "of a landscape; default 4096",
+       {"rotations", "", "rotations at each centroid of a landscape; default 4096",
         [](NestOutlines& c, S n, S v) { c.rotations = whole(n, v, 1); },
         [](const NestOutlines& c) { return text_of_number(c.rotations); }},
-       {"view", "x,y,z", "of a landscape: from the shapes to the eye, --up upwards; default 0,-1,0",
+       {"view", "x,y,z", "landscape: direction from the shapes to the eye, with --up upwards; default 0,-1,0",
         [](NestOutlines& c, S n, S v) { c.view = direction(n, v); },
         [](const NestOutlines& c) { return text_of(c.view); }},
        {"up", "x,y,z", "what an upright inner shape turns about; default 0,0,1",
         [](NestOutlines& c, S n, S v) { c.up = direction(n, v); },
         [](const NestOutlines& c) { return text_of(c.up); }},
-       {"tolerance", "", "of the scale that is searched; default 1e-4",
+       {"tolerance", "", "how near to the largest scale the search comes; default 1e-4",
         [](NestOutlines& c, S n, S v) { c.tolerance = number(n, v); },
         [](const NestOutlines& c) { return text_of_number(c.tolerance); }}});
 }

@@ -36,19 +36,22 @@ Fields<SimulationSpec> make_motion_fields() {
              for (const auto& [contact, text] : contacts) names.emplace_back(text);
              return names;
            },
-           {"touch", "", "how it touches the ground: gliding (default), held or free (default of yoyo)",
+           {"touch", "",
+            "how the tip touches the ground: gliding without friction (default), held in its place, or free "
+            "of it (default of yoyo)",
             [](M m, S k, S v) { m.contact = contact_of(k, v); },
             [](ConstM m) { return m.contact ? std::string(name_of(*m.contact)) : ""; }}),
-       {"omega", "rpm", "default a tenth above the least from which the part is stable",
+       {"omega", "rpm", "speed at the start; default: a tenth above the least from which the part is stable",
         [](M m, S k, S v) { m.spin.rpm = above_0(k, v); },
         [](ConstM m) { return m.spin.rpm > 0 ? fmt::format("{}", m.spin.rpm) : ""; }},
-       {"tilt", "degrees", "at the start; default 1",
+       {"tilt", "degrees", "tilt at the start; default 1",
         [](M m, S k, S v) { m.spin.tilt_degrees = above_0(k, v); },
         [](ConstM m) { return fmt::format("{}", m.spin.tilt_degrees); }},
-       {"seconds", "s", "to simulate; default 10", [](M m, S k, S v) { m.spin.seconds = above_0(k, v); },
+       {"seconds", "s", "how long to simulate; default 10",
+        [](M m, S k, S v) { m.spin.seconds = above_0(k, v); },
         [](ConstM m) { return fmt::format("{}", m.spin.seconds); }},
        one_of<SimulationSpec>(
-           "scan", "yes: over a hundred speeds, too; default no", {"no", "yes"},
+           "scan", "yes: simulate over a hundred speeds, too; default no", {"no", "yes"},
            [](auto& m) -> auto& { return m.scan; })});
 }
 

@@ -97,8 +97,8 @@ Fields<Asked> shape_fields() {
       {chosen_from<Asked>(
            words_of(ways_through),
            {"axis-through", "",
-            "where an axis that is found runs: lowest (point along it) or centre (of mass, on a stem); "
-            "default lowest, else centre",
+            "where an axis that is to be found runs: lowest (through the lowest point along it) or centre "
+            "(through the centre of mass, on a stem); default: lowest, else centre",
             [](A a, S k, S v) {
               free_pose_of(a).through = static_cast<Through>(word_of(k, v, ways_through));
             },
@@ -106,10 +106,12 @@ Fields<Asked> shape_fields() {
               if (!a.free || !a.free->through) return std::string();
               return std::string(ways_through[static_cast<std::size_t>(*a.free->through)]);
             }}),
-       {"stem", "mm", "radius of a peg to spin on, along the axis down to the lowest point's height",
+       {"stem", "mm",
+        "radius of a peg to spin on; it runs along the axis, down to the height of the lowest point",
         [](A a, S k, S v) { a.body.stem.radius = number(k, v); },
         [](ConstA a) { return number_text(a.body.stem.radius); }},
-       {"tip", "R[,H]", "radius and height of the cone at its end, mm; default the stem's radius",
+       {"tip", "R[,H]",
+        "radius and height of the cone at the end of the stem, mm; default: the stem's radius",
         [](A a, S k, S v) {
           const auto parts = split(v, ',');
           if (parts.size() > 2) refuse(k, v, "a radius, or a radius and a height R,H in mm");
@@ -121,7 +123,7 @@ Fields<Asked> shape_fields() {
           const StemSpec& stem = a.body.stem;
           return number_text(stem.tip_radius) + (stem.tip_height ? "," + number_text(stem.tip_height) : "");
         }},
-       {"flatten", "mm", "cut that much off the bottom; auto: the least that makes a base",
+       {"flatten", "mm", "cut so much off the bottom; auto: the least that makes a base to stand on",
         [](A a, S k, S v) {
           a.flatten = v == "auto";
           a.body.flatten.reset();
@@ -138,16 +140,18 @@ Fields<Asked> body_fields() {
       {chosen_from<Asked>(
            shape_names,
            {"model", "",
-            "a name of `bench list`, or a mesh file (STL, 3MF, OBJ, PLY, OFF); default ellipsoid",
+            "the body: a name of `bench list`, or a mesh file (STL, 3MF, OBJ, PLY, OFF); default ellipsoid",
             [](A a, S, S v) { a.body.model = v; }, [](ConstA a) { return a.body.model; }, Identity::always, 1,
             true}),
-       chosen_from<Asked>(names_in(length_units),
-                          {"unit", "", "of an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm",
-                           [](A a, S, S v) { a.body.unit = find_length_unit(v); },
-                           [](ConstA a) { return a.body.unit ? std::string(a.body.unit->name) : ""; }}),
-       {"size", "mm", "longest side; default as the model is",
+       chosen_from<Asked>(
+           names_in(length_units),
+           {"unit", "",
+            "unit of an STL, OBJ, PLY or OFF file, which does not say it: mm, cm, m or in; default mm",
+            [](A a, S, S v) { a.body.unit = find_length_unit(v); },
+            [](ConstA a) { return a.body.unit ? std::string(a.body.unit->name) : ""; }}),
+       {"size", "mm", "scale the body to this longest side; default: as the model is",
         [](A a, S k, S v) { a.body.size = number(k, v); }, [](ConstA a) { return number_text(a.body.size); }},
-       {"fineness", "", "of a parametric model: about 20 n^2 triangles",
+       {"fineness", "", "n: a model of our own gets about 20 n^2 triangles",
         [](A a, S k, S v) { a.body.fineness = whole(k, v, 1); },
         [](ConstA a) { return std::to_string(a.body.fineness); }}});
 }
@@ -162,33 +166,35 @@ Fields<Asked> pose_fields() {
   return grouped<Asked>(
       "pose and material",
       {{"axis", "x,y,z",
-        "spin axis in model coordinates, auto (the best), or near:x,y,z (within 30 degrees); default up",
+        "spin axis in model coordinates; auto finds the best, near:x,y,z the best within 30 degrees; "
+        "default: up",
         [](A a, S k, S v) { set_direction(a, a.body.axis, k, v, false); },
         [](ConstA a) { return direction_text(a, a.body.axis, false); }},
        {"contact", "x,y,z",
-        "a point of the axis, mm; default the lowest along it, for yoyo the centre of mass",
+        "a point of the axis, mm; default: the lowest point along it, for yoyo the centre of mass",
         [](A a, S k, S v) { a.body.contact = vector(k, v); },
         [](ConstA a) { return point_text(a.body.contact); }},
        {"up", "x,y,z",
-        "up direction, auto (the best pose), near:x,y,z, or rest:N (the N-th most probable); default the "
-        "model's, else 0,0,1",
+        "which way is up; auto finds the best pose, near:x,y,z the best near that, rest:N the N-th most "
+        "probable way of lying; default: the model's, else 0,0,1",
         [](A a, S k, S v) { set_direction(a, a.body.up, k, v, true); },
         [](ConstA a) { return direction_text(a, a.body.up, true); }},
-       {"density", "g/cm^3", "of the shell; default 1", [](A a, S k, S v) { a.body.density = number(k, v); },
+       {"density", "g/cm^3", "density of the shell; default 1",
+        [](A a, S k, S v) { a.body.density = number(k, v); },
         [](ConstA a) { return number_text(a.body.density); }, Identity::always},
-       {"interior-density", "g/cm^3", "of what is left of the interior; default the shell's",
+       {"interior-density", "g/cm^3", "density of what is left of the interior; default: the shell's",
         [](A a, S k, S v) { a.body.interior_density = number(k, v); },
         [](ConstA a) { return number_text(a.body.interior_density); }},
-       {"void-density", "g/cm^3", "of what fills the voids; default 0",
+       {"void-density", "g/cm^3", "density of what fills the voids; default 0",
         [](A a, S k, S v) { a.body.void_density = number(k, v); },
         [](ConstA a) { return number_text(a.body.void_density); }},
-       {"axle", "mm", "yoyo: radius of an axle between two halves; default none, the body stays whole",
+       {"axle", "mm", "yoyo: radius of an axle between two halves; default: none, the body stays whole",
         [](A a, S k, S v) { a.body.axle.radius = number(k, v); },
         [](ConstA a) { return number_text(a.body.axle.radius); }},
-       {"slot", "mm", "yoyo: gap between the halves; default the axle's radius",
+       {"slot", "mm", "yoyo: gap between the halves; default: the axle's radius",
         [](A a, S k, S v) { a.body.axle.slot = number(k, v); },
         [](ConstA a) { return number_text(a.body.axle.slot); }},
-       {"axle-depth", "mm", "yoyo: of the hole for the axle in each half; default twice its radius",
+       {"axle-depth", "mm", "yoyo: depth of the hole for the axle in each half; default: twice its radius",
         [](A a, S k, S v) { a.body.axle.depth = number(k, v); },
         [](ConstA a) { return number_text(a.body.axle.depth); }}});
 }
@@ -196,56 +202,62 @@ Fields<Asked> pose_fields() {
 /// What is asked, and how it is answered. A name that nobody knows is told where it is written, not when its
 /// turn comes.
 Fields<Asked> question_fields() {
-  return grouped<Asked>(
-      "question",
-      {{"problem", "", "what is asked; default spin", [](A a, S, S v) { a.problem = find_problem(v).name; },
-        [](ConstA a) { return a.problem; }, Identity::always},
-       {"formulation", "", "how the interior is described; default rayrep",
-        [](A a, S, S v) { a.formulation = find_formulation(v).name; }, [](ConstA a) { return a.formulation; },
-        Identity::always},
-       {"solver", "", "default the first that works with the formulation: ipopt, for quadric moment",
-        [](A a, S, S v) {
-          (void)solvers().find(v);
-          a.solver = v;
-        },
-        [](ConstA a) { return solver_of(a); }, Identity::always}});
+  return grouped<Asked>("question", {{"problem", "", "what the body is to do; default spin",
+                                      [](A a, S, S v) { a.problem = find_problem(v).name; },
+                                      [](ConstA a) { return a.problem; }, Identity::always},
+                                     {"formulation", "", "how the interior is described; default rayrep",
+                                      [](A a, S, S v) { a.formulation = find_formulation(v).name; },
+                                      [](ConstA a) { return a.formulation; }, Identity::always},
+                                     {"solver", "",
+                                      "what solves the problem; default: the first that works with the "
+                                      "formulation (ipopt, for quadric moment)",
+                                      [](A a, S, S v) {
+                                        (void)solvers().find(v);
+                                        a.solver = v;
+                                      },
+                                      [](ConstA a) { return solver_of(a); }, Identity::always}});
 }
 
 /// Over which domain.
 Fields<Asked> domain_fields() {
   return grouped<Asked>(
-      "domain",
-      {chosen_from<Asked>(
-           words_of(domains),
-           {"domain", "",
-            "columns (whole cells) or exact (cut at the wall); default columns, for quadric exact",
-            [](A a, S k, S v) { a.domain = domains[word_of(k, v, domains)]; },
-            [](ConstA a) { return domain_of(a); }}),
-       {"resolution", "", "cells along the longest side, or NXxNYxNZ; default 64",
-        [](A a, S k, S v) { a.grid = grid(k, v); }, [](ConstA a) { return grid_text(a.grid); },
-        Identity::always},
-       {"level", "", "of an octree: 2^level cells along the longest side",
-        [](A a, S k, S v) { a.grid = grid_of_level(k, v); }, [](ConstA) { return std::string(); },
-        Identity::none},
-       {"wall", "", "least wall: 1.5h (cells), 2% (of the longest side) or mm; default 1.5h",
-        [](A a, S, S v) {
-          const bool to_corners = a.wall.to_corners;
-          a.wall = parse_wall(std::string(v));
-          a.wall.to_corners = to_corners;
-        },
-        [](ConstA a) { return to_string(a.wall); }, Identity::always},
-       one_of<Asked>(
-           "wall-to", "what of a voxel is a wall away from the surface: centres (default) or corners",
-           {"centres", "corners"}, [](auto& a) -> auto& { return a.wall.to_corners; })});
+      "domain", {chosen_from<Asked>(words_of(domains),
+                                    {"domain", "",
+                                     "what can be hollowed, as columns (whole cells) or exact (rays cut at "
+                                     "the wall); default columns, for quadric exact",
+                                     [](A a, S k, S v) { a.domain = domains[word_of(k, v, domains)]; },
+                                     [](ConstA a) { return domain_of(a); }}),
+                 {"resolution", "", "cells along the longest side, or NXxNYxNZ; default 64",
+                  [](A a, S k, S v) { a.grid = grid(k, v); }, [](ConstA a) { return grid_text(a.grid); },
+                  Identity::always},
+                 {"level", "", "octree: 2^level cells along the longest side",
+                  [](A a, S k, S v) { a.grid = grid_of_level(k, v); }, [](ConstA) { return std::string(); },
+                  Identity::none},
+                 {"wall", "",
+                  "least thickness of the wall: in cells (1.5h), in per cent of the longest side (2%), or in "
+                  "mm; default 1.5h",
+                  [](A a, S, S v) {
+                    const bool to_corners = a.wall.to_corners;
+                    a.wall = parse_wall(std::string(v));
+                    a.wall.to_corners = to_corners;
+                  },
+                  [](ConstA a) { return to_string(a.wall); }, Identity::always},
+                 one_of<Asked>(
+                     "wall-to",
+                     "what of a voxel keeps the wall's distance from the surface: its centre (centres, "
+                     "default) or all of it (corners)",
+                     {"centres", "corners"}, [](auto& a) -> auto& { return a.wall.to_corners; })});
 }
 
 Fields<Asked> device_fields() {
-  return grouped<Asked>(
-      "device", {{"device", "", "index or part of a name; default KREISEL_DEVICE, else a GPU, else PoCL",
-                  [](A a, S, S v) { a.device = v; }, [](ConstA a) { return a.device; }},
-                 one_of<Asked>(
-                     "precision", "automatic or single (compensated)", {"automatic", "single"},
-                     [](auto& a) -> auto& { return a.single_precision; })});
+  return grouped<Asked>("device",
+                        {{"device", "",
+                          "OpenCL device: its index, or part of its name; default: KREISEL_DEVICE, else a "
+                          "GPU, else PoCL on the processor",
+                          [](A a, S, S v) { a.device = v; }, [](ConstA a) { return a.device; }},
+                         one_of<Asked>(
+                             "precision", "arithmetic of the kernels: automatic, or single (compensated)",
+                             {"automatic", "single"}, [](auto& a) -> auto& { return a.single_precision; })});
 }
 
 /// Each setting of a problem has an option of its own. Its text is said among the settings.
@@ -288,26 +300,27 @@ Fields<Asked> setting_fields() {
 Fields<RunConfig> deform_fields() {
   return grouped<RunConfig>(
       "deformation",
-      {chosen_from<RunConfig>(
-           words_of({"least"}),
-           {"deform", "",
-            "the shape may change: least (as little as does), or at most N% of the longest side (the best "
-            "within it); default it stays",
-            [](C c, S k, S v) {
-              c.deform.wanted = true;
-              c.deform.within.reset();
-              if (v == "least") return;
-              const double percent = parse_with_unit(v, "%").value_or(-1);
-              if (!(percent > 0 && percent <= 50))
-                refuse(k, v, "least, or a share above 0 and up to 50% such as 5%");
-              c.deform.within = percent;
-            },
-            [](ConstC c) {
-              if (!c.deform.wanted) return std::string();
-              return c.deform.within ? fmt::format("{}%", *c.deform.within) : std::string("least");
-            }}),
+      {chosen_from<RunConfig>(words_of({"least"}),
+                              {"deform", "",
+                               "let the shape change: least (as little as does), or at most N% of the "
+                               "longest side (the best within it); default: it stays",
+                               [](C c, S k, S v) {
+                                 c.deform.wanted = true;
+                                 c.deform.within.reset();
+                                 if (v == "least") return;
+                                 const double percent = parse_with_unit(v, "%").value_or(-1);
+                                 if (!(percent > 0 && percent <= 50))
+                                   refuse(k, v, "least, or a share above 0 and up to 50% such as 5%");
+                                 c.deform.within = percent;
+                               },
+                               [](ConstC c) {
+                                 if (!c.deform.wanted) return std::string();
+                                 return c.deform.within ? fmt::format("{}%", *c.deform.within)
+                                                        : std::string("least");
+                               }}),
        {"keep", "",
-        "what stays as it is: a ball x,y,z,r in mm, or the inside of a mesh file; several apart by ';'",
+        "what of the shape stays as it is: a ball x,y,z,r in mm, or the inside of a mesh file; several with "
+        "; between",
         [](C c, S k, S v) {
           c.deform.keep.clear();
           for (const S one : split(v, ';')) {
@@ -323,11 +336,12 @@ Fields<RunConfig> effort_fields() {
   return grouped<RunConfig>(
       "effort",
       {one_of<RunConfig>(
-           "part", "written (default), or none: the run ends with the solve", {"none", "written"},
-           [](auto& c) -> auto& { return c.part; }),
-       {"repeat", "", "timed solves at most; default 1", [](C c, S k, S v) { c.repeat = whole(k, v, 1); },
-        [](ConstC c) { return std::to_string(c.repeat); }, Identity::none},
-       {"budget", "s", "after which no further repetition starts; default 20",
+           "part", "whether a part is made: written (default), or none: the run ends with the solve",
+           {"none", "written"}, [](auto& c) -> auto& { return c.part; }),
+       {"repeat", "", "time at most so many solves; default 1",
+        [](C c, S k, S v) { c.repeat = whole(k, v, 1); }, [](ConstC c) { return std::to_string(c.repeat); },
+        Identity::none},
+       {"budget", "s", "start no further repetition after this time; default 20",
         [](C c, S k, S v) {
           c.budget_seconds = number(k, v);
           if (c.budget_seconds < 0) refuse(k, v, "seconds >= 0");
@@ -335,7 +349,7 @@ Fields<RunConfig> effort_fields() {
         [](ConstC c) { return number_text(c.budget_seconds); }, Identity::none},
        {"certify",
         "",
-        "a relative gap: prove that the result is at most so far from the best; no value: 1e-3",
+        "prove that the result is no further from the best than this relative gap; without a value 1e-3",
         [](C c, S k, S v) {
           c.certify = number(k, v);
           if (!(c.certify > 0 && c.certify < 1)) refuse(k, v, "a gap between 0 and 1, such as 1e-3");
@@ -348,13 +362,14 @@ Fields<RunConfig> effort_fields() {
         {},
         "1e-3"},
        {"memory", "GB",
-        "of an experiment's run, as a process of its own: at most so much; default as there is",
+        "experiments: the most memory that the run may use, as a process of its own; default: what there is",
         [](C c, S k, S v) {
           c.limits.gigabytes = number(k, v);
           if (!(c.limits.gigabytes > 0)) refuse(k, v, "GB > 0");
         },
         [](ConstC c) { return number_text(c.limits.gigabytes); }, Identity::none},
-       {"seconds", "s", "of an experiment's run, as a process of its own: at most so long; default for ever",
+       {"seconds", "s",
+        "experiments: the longest that the run may take, as a process of its own; default: for ever",
         [](C c, S k, S v) {
           c.limits.seconds = number(k, v);
           if (!(c.limits.seconds > 0)) refuse(k, v, "seconds > 0");
@@ -384,11 +399,12 @@ const Fields<Asked>& asked_fields() {
 }
 
 const Fields<RunConfig>& rounding_fields() {
-  static const Fields<RunConfig> all = grouped<RunConfig>(
-      "effort",
-      {one_of<RunConfig>(
-          "rounding", "of the written part: nearest, or fitted so that the constraints hold (default)",
-          {"nearest", "fitted"}, [](auto& c) -> auto& { return c.rounding; })});
+  static const Fields<RunConfig> all =
+      grouped<RunConfig>("effort", {one_of<RunConfig>(
+                                       "rounding",
+                                       "how the written part is rounded to whole cells: nearest, or fitted "
+                                       "so that the constraints hold (default)",
+                                       {"nearest", "fitted"}, [](auto& c) -> auto& { return c.rounding; })});
   return all;
 }
 

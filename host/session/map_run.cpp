@@ -57,13 +57,15 @@ Fields<MapRun> asked_of_map() {
 Fields<MapRun> orientation_fields() {
   return grouped<MapRun>(
       "orientations",
-      {{"axes", "", "directions of the sphere; default 2000", [](M m, S k, S v) { m.axes = whole(k, v, 1); },
-        [](ConstM m) { return std::to_string(m.axes); }, Identity::always},
+      {{"axes", "", "how many directions of the sphere to try; default 2000",
+        [](M m, S k, S v) { m.axes = whole(k, v, 1); }, [](ConstM m) { return std::to_string(m.axes); },
+        Identity::always},
        one_of<MapRun>(
            "through",
-           "axes run through the lowest point (default), or the solid's centre of mass: lowest, centre",
+           "where the axes run: through the lowest point (lowest, default) or the solid's centre of mass "
+           "(centre)",
            ways_through, [](auto& m) -> auto& { return m.through; }, Identity::always),
-       {"drafts", "", "float: of the height, mm or grams; default 20%,40%,60%,80%",
+       {"drafts", "", "float: depths to try, in per cent of the height, mm or grams; default 20%,40%,60%,80%",
         [](M m, S, S v) {
           const auto parts = split(v, ',');
           m.drafts = {parts.begin(), parts.end()};

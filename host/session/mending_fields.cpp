@@ -44,7 +44,9 @@ Fields<Mending> mending_fields() {
   using ConstM = const Mending&;
   return grouped<Mending>(
       "mesh",
-      {{"weld", "mm", "corners at open edges of a file this near are one; default as its digits say",
+      {{"weld", "mm",
+        "join corners at open edges that are this near; default: what the digits of the file cannot tell "
+        "apart",
         [](M m, S k, S v) {
           m.weld = number(k, v);
           if (*m.weld < 0) refuse(k, v, "0 mm or more");
@@ -52,7 +54,7 @@ Fields<Mending> mending_fields() {
         [](ConstM m) { return number_text(m.weld); }},
        {"close-holes",
         "mm",
-        "close holes of the surface that are no larger across; all, or no value: of any size",
+        "close holes of the surface that are no larger across; with all, or no value: holes of any size",
         [](M m, S k, S v) { m.close_holes = holes(k, v); },
         [](ConstM m) {
           return m.close_holes && std::isinf(*m.close_holes) ? std::string("all")
@@ -66,13 +68,15 @@ Fields<Mending> mending_fields() {
         "all"},
        chosen_from<Mending>(
            words_of(ways_inside_out),
-           {"inside-out", "", "what the surface encloses inside out is: solid, or void",
+           {"inside-out", "", "what a part of the surface that is inside out encloses: solid, or void",
             [](M m, S k, S v) { m.inside_out = InsideOut(1 + word_of(k, v, ways_inside_out)); },
             [](ConstM m) {
               const auto way = std::size_t(m.inside_out);
               return way ? std::string(ways_inside_out[way - 1]) : std::string();
             }}),
-       {"pieces", "N,N", "of several pieces that do not touch those that are meant, by weight; or largest",
+       {"pieces", "N,N",
+        "which pieces to keep of several that do not touch: numbers by weight (1 is the heaviest), or "
+        "largest",
         [](M m, S k, S v) { m.pieces = pieces(k, v); },
         [](ConstM m) { return fmt::format("{}", fmt::join(m.pieces, ",")); }}});
 }

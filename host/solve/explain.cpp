@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "parse.hpp"
@@ -37,25 +38,52 @@ LeastMisses least_misses(const SolverEntry& solver, const Task& task, const Solv
   return misses;
 }
 
+/// What stays of one constraint, or of several that a problem calls alike: perpendicular ones.
 struct Miss {
   std::string name;
-  double
-      amount;  ///< body units, as printed: what reads the same is the same, and stays in the problem's order
-  std::string text;  ///< with its unit
+  double amount;  ///< body units
+  double shown;   ///< in `unit`
+  std::string unit;
 };
 
-double printed(double amount) { return parse<double>(fmt::format("{:.3g}", amount)).value_or(amount); }
-
-/// Three digits of what a row is missed by, and in what.
-std::string amount_text(double amount, double mass, const Eigen::Ref<const Eigen::RowVectorXd>& row,
-                        const std::optional<BodyUnits>& units) {
-  const auto text = [](double value, const char* unit) { return fmt::format("{:.3g}{}", value, unit); };
-  if (!units) return text(amount, "");
+/// A row's miss in what a maker has it in; " (body units)" where no unit fits.
+Miss miss_of(const std::string& name, double amount, double mass,
+             const Eigen::Ref<const Eigen::RowVectorXd>& row, const std::optional<BodyUnits>& units) {
+  if (!units) return {name, amount, amount, ""};
   const bool first = !row.segment<3>(SX).isZero(0), second = !row.tail<6>().isZero(0);
-  if (first && second) return text(amount, " (body units)");
-  if (second) return text(amount * units->grams * units->millimetres * units->millimetres, " g mm^2");
-  if (first) return text(amount / std::max(mass, 1e-300) * units->millimetres, " mm");
-  return text(amount * units->grams, " g");
+  if (first && second) return {name, amount, amount, " (body units)"};
+  if (second)
+    return {name, amount, amount * units->grams * units->millimetres * units->millimetres, " g mm^2"};
+  if (first) return {name, amount, amount / std::max(mass, 1e-300) * units->millimetres, " mm"};
+  return {name, amount, amount * units->grams, " g"};
+}
+
+void add(std::vector<Miss>& misses, const Miss& miss) {
+  const auto alike = std::ranges::find(misses, miss.name, &Miss::name);
+  if (alike == misses.end()) return misses.push_back(miss);
+  alike->amount = std::hypot(alike->amount, miss.amount);
+  alike->shown = std::hypot(alike->shown, miss.shown);
+}
+
+/// As printed, for sorting: what reads the same is the same, and stays in the problem's order.
+double printed(const Miss& miss) {
+  return parse<double>(fmt::format("{:.3g}", miss.amount)).value_or(miss.amount);
+}
+
+/// The worst first, each a sentence with three digits.
+std::string text_of(std::vector<Miss> misses) {
+  std::ranges::stable_sort(misses, std::ranges::greater(), printed);
+  std::vector<std::string> sentences;
+  for (const Miss& miss : misses) {
+    const std::string amount = fmt::format("{:.3g}{}", miss.shown, miss.unit);
+    std::string sentence = miss.name;
+    if (const std::size_t place = sentence.find("{}"); place != std::string::npos)
+      sentence.replace(place, 2, amount);
+    else
+      sentence += " is missed by " + amount;
+    sentences.push_back(std::move(sentence));
+  }
+  return fmt::format("{}", fmt::join(sentences, "; "));
 }
 
 }  // namespace
@@ -80,28 +108,18 @@ std::string explain_infeasible(const SolverEntry& solver, const Task& task, cons
   std::vector<Miss> alone, shared;
   for (const Eigen::Index r : all) {
     const auto i = static_cast<std::size_t>(r);
-    const auto add = [&](std::vector<Miss>& to, double amount, double mass) {
-      if (amount > none)
-        to.push_back({c.names[i], printed(amount), amount_text(amount, mass, c.matrix.row(r), units)});
+    const auto note = [&](std::vector<Miss>& to, double amount, double mass) {
+      if (amount > none) add(to, miss_of(c.names[i], amount, mass, c.matrix.row(r), units));
     };
     if (together.amounts[i] <= none) continue;
-    add(shared, together.amounts[i], together.mass);
+    note(shared, together.amounts[i], together.mass);
     const LeastMisses by_itself = least_misses(solver, task, options, {r});
-    add(alone, by_itself.amounts.front(), by_itself.mass);
+    note(alone, by_itself.amounts.front(), by_itself.mass);
   }
-  std::ranges::stable_sort(alone, std::ranges::greater(), &Miss::amount);
-  std::ranges::stable_sort(shared, std::ranges::greater(), &Miss::amount);
-  std::vector<std::string> words;
   const char* in = units ? "" : " (body units)";
-  for (const Miss& m : alone) words.push_back(fmt::format("{} is out of reach by {}", m.name, m.text));
-  if (!alone.empty()) return fmt::format("{}{}", fmt::join(words, "; "), in);
-  std::vector<std::string> amounts;
-  for (const Miss& m : shared) {
-    words.push_back(m.name);
-    amounts.push_back(m.text);
-  }
-  return fmt::format("{} cannot be met together: the best compromise misses them by {}{}",
-                     fmt::join(words, ", "), fmt::join(amounts, ", "), in);
+  if (!alone.empty()) return text_of(alone) + in;
+  return fmt::format("not all that is asked can be met together; in the best compromise {}{}",
+                     text_of(shared), in);
 }
 
 }  // namespace kreisel::core

@@ -12,11 +12,11 @@ struct BodyUnits {
   double millimetres, grams;
 };
 
-/// One sentence for a task that the solver found infeasible: which constraints are out of reach each by
-/// itself, or else which cannot be met together; all of them, the worst first, and by how much each is missed
-/// at the least or in the best compromise. In body units (masses M, first moments M L, second moments M L^2),
-/// or, where those are known, as a maker has them: masses in grams; what is asked of the centre of mass in
-/// millimetres, at the mass of the best there is; products of inertia in g mm^2.
+/// What a task that the solver found infeasible misses, a sentence a constraint, the worst first: each by
+/// itself at the least; or else, where each alone can be met, all of them in the best compromise. Constraints
+/// of one name are told as one, by the root of the sum of squares. In body units (masses M, first moments M
+/// L, second moments M L^2), or, where those are known, as a maker has them: masses in grams; what is asked
+/// of the centre of mass in millimetres, at the mass of the best there is; products of inertia in g mm^2.
 ///
 /// Solves the same task for its margin, all constraints first, then alone each that is missed. As far as the
 /// solver tells: a formulation with local minima gives no proof.

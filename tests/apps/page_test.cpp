@@ -119,6 +119,17 @@ TEST_F(Page, OfADeformedBodySlidesBetweenBothShapes) {
   EXPECT_NE(number("drawn", before), number("drawn", now)) << "another outline";
 }
 
+/// Of a solid under water less is known than of the part that floats.
+TEST_F(Page, IsDrawnWhereTheSolidSinks) {
+  KREISEL_NEEDS(installed("chromium"), "chromium");
+  const BenchAnswer a = design(
+      fmt::format("float duck --fineness 16 --density 1.24 --draft 40% -o {0}/boat.stl --html {0}/boat.html "
+                  "--resolution 40",
+                  folder_.path.string()));
+  ASSERT_EQ(a.code, 0) << a.out;
+  EXPECT_GT(number("drawn", opened("boat", "cut=0.5")), 0);
+}
+
 TEST_F(Page, OfANestedDollTakesItApart) {
   KREISEL_NEEDS(installed("chromium"), "chromium");
   const BenchAnswer a =

@@ -201,7 +201,7 @@ TEST(Float, ADraftThatIsSoughtMustBeStable) {
   for (const Moments& s : {low, high}) EXPECT_NEAR(violation(*asked, s), 0, round_off);
   EXPECT_NEAR(violation(*sought, low), 0, round_off);
   EXPECT_NEAR(violation(*sought, high), 0.6e-3, round_off);
-  EXPECT_EQ(sought->constraints().names.back(), "cz below the metacentre");
+  EXPECT_EQ(sought->constraints().names.back(), "the centre of mass stays {} above the metacentre");
 }
 
 TEST(Float, LetGoItHeelsAndTrimsUntilItIsLiftedBelowItsCentre) {

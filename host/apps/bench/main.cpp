@@ -12,6 +12,7 @@
 #include "apps/bench/commands.hpp"
 #include "apps/bench/simulate_options.hpp"
 #include "apps/shared/completion.hpp"
+#include "apps/shared/manual.hpp"
 #include "apps/shared/outputs.hpp"
 #include "apps/shared/program.hpp"
 #include "apps/shared/run_options.hpp"
@@ -47,7 +48,7 @@ struct Parsed {
 };
 
 void add_file(CLI::App& app, const char* name, std::string& file, const char* help) {
-  app.add_option(name, file, help)->type_name("FILE");
+  app.add_option(name, file, help)->type_name("FILE")->group("Output");
 }
 
 void add_run_options(CLI::App& app, Parsed& parsed) {
@@ -55,9 +56,9 @@ void add_run_options(CLI::App& app, Parsed& parsed) {
   // A process of its own is what experiments make of a run with limits.
   parsed.run.add_but(app, {&solve}, {"memory", "seconds"});
   parsed.run.add_settings(app, solve);
-  add_file(app, "--json", parsed.once.json_file, "write the result as JSON; - for standard output");
+  add_file(app, "--json", parsed.once.json_file, "write the result as JSON; - writes it to standard output");
   add_file(app, "--mesh", parsed.once.mesh_file,
-           "write the hollowed part, mm; .stl, .3mf, .obj, .ply or .off");
+           "write the hollowed part in mm: .stl, .3mf, .obj, .ply or .off");
   add_file(app, "--record", parsed.once.record_file, "write the whole run as HDF5");
 }
 
@@ -67,12 +68,12 @@ void add_inspect_options(CLI::App& app, Parsed& parsed) {
                       {"axis", "contact", "up", "unit", "weld", "close-holes", "inside-out", "pieces", "size",
                        "density", "fineness"});
   parsed.run.add(app, "--problem", "problem",
-                 "of G-code: what it shall be judged by; default all that go by moments alone");
+                 "G-code: the problem that judges it; default: all that go by moments alone");
   parsed.run.add_settings(app, find_run_kind("solve"));
   app.add_option("--filament", parsed.filament_diameter,
-                 "of G-code: diameter of the filament, mm; default as the file says, else 1.75")
+                 "G-code: diameter of the filament in mm; default: as the file says, else 1.75")
       ->check(CLI::Range(0.1, 10.0));
-  add_file(app, "--json", parsed.once.json_file, "write it all as JSON; - for standard output");
+  add_file(app, "--json", parsed.once.json_file, "write it all as JSON; - writes it to standard output");
 }
 
 /// @throws InputError  what is said of the mesh alone
@@ -105,14 +106,14 @@ void add_map_options(CLI::App& app, Parsed& parsed) {
   parsed.run.add_model(app);
   parsed.run.add_but(app, {&map}, {"model"});
   parsed.run.add_settings(app, map);
-  add_file(app, "--json", parsed.map.json_file, "write it all as JSON; - for standard output");
+  add_file(app, "--json", parsed.map.json_file, "write it all as JSON; - writes it to standard output");
   add_file(app, "--record", parsed.map.record_file, "write the map as HDF5");
 }
 
 void add_nest_options(CLI::App& app, Parsed& parsed) {
   NestOptions& nest = parsed.nest;
   parsed.run.add(app, nesting_kinds());
-  add_file(app, "--json", nest.json_file, "write the answer as JSON; - for standard output");
+  add_file(app, "--json", nest.json_file, "write the answer as JSON; - writes it to standard output");
   add_file(app, "--record", nest.record_file, "write the whole run as HDF5");
   add_file(app, "--checkpoint", nest.checkpoint_file,
            "keep the search there, every half a minute and when it is stopped");
@@ -124,8 +125,8 @@ void add_nest_options(CLI::App& app, Parsed& parsed) {
 using Command = std::pair<CLI::App*, std::function<int()>>;
 
 Command add_experiment(CLI::App& app, Parsed& parsed) {
-  CLI::App* experiment =
-      app.add_subcommand("run", "run an experiment (TOML) and print its table; finished runs are skipped");
+  CLI::App* experiment = app.add_subcommand(
+      "run", "make the runs of an experiment (TOML) and print its table; finished runs are skipped");
   offer(experiment
             ->add_option("experiment", parsed.experiment.name, "a file, or the name of one of `bench list`")
             ->type_name("NAME|FILE")
@@ -134,26 +135,30 @@ Command add_experiment(CLI::App& app, Parsed& parsed) {
   experiment->add_option("--results", parsed.experiment.results, "folder of the records")
       ->type_name("FOLDER")
       ->capture_default_str();
-  add_file(*experiment, "--csv", parsed.experiment.csv_file, "write the table as CSV, too");
+  add_file(*experiment, "--csv", parsed.experiment.csv_file, "also write the table as CSV");
   experiment
       ->add_option(
           "--models", parsed.experiment.models,
-          "folder of mesh files that are not in the current one; default KREISEL_MODELS, else models")
+          "folder of mesh files that are not in the current one; default: KREISEL_MODELS, else models")
       ->type_name("FOLDER");
-  experiment->add_option("--device", parsed.experiment.device, "as above, for every run");
+  experiment->add_option("--device", parsed.experiment.device,
+                         "OpenCL device for every run: its index, or part of its name");
   experiment
       ->add_option("--shard", parsed.experiment.shard,
-                   "only the I-th of N shares of the runs, about equal in work; runs that the table compares "
-                   "stay together")
+                   "make only the I-th of N shares of the runs; the shares are about equal in work")
       ->type_name("I/N");
-  experiment->add_flag("--force", parsed.experiment.force, "run finished runs again");
-  experiment->add_flag("--dry-run", parsed.experiment.dry_run, "say what would run");
+  experiment->add_flag("--force", parsed.experiment.force, "make finished runs again");
+  experiment->add_flag("--dry-run", parsed.experiment.dry_run, "only say what would run");
+  experiment->footer(
+      "Examples:\n"
+      "  bench run rayrep_table2 --dry-run          what would run\n"
+      "  bench run rayrep_table2 --csv table.csv    run it, print its table, and write that");
   return {experiment, [&parsed] { return run_experiment(parsed.experiment); }};
 }
 
 Command add_submit(CLI::App& app, Parsed& parsed) {
   SubmitOptions& options = parsed.submit;
-  CLI::App* submitted = app.add_subcommand("submit", "run an experiment on a cluster: an array job of Slurm");
+  CLI::App* submitted = app.add_subcommand("submit", "make them on a cluster, as an array job of Slurm");
   offer(submitted->add_option("experiment", options.name, "a file, or the name of one of `bench list`")
             ->type_name("NAME|FILE")
             ->required(),
@@ -172,13 +177,14 @@ Command add_submit(CLI::App& app, Parsed& parsed) {
   submitted->add_option("--models", options.models, "as of `bench run`")->type_name("FOLDER");
   submitted->add_option("--device", options.device, "as of `bench run`");
   submitted->add_flag("--dry-run", options.dry_run, "print the job's script");
+  submitted->footer("Example:\n  bench submit rayrep_table2 --slurm --tasks 8 --time 1:00:00");
   return {submitted, [&parsed] { return submit_experiment(parsed.submit); }};
 }
 
 Command add_watch(CLI::App& app, Parsed& parsed) {
   WatchOptions& options = parsed.watch;
   CLI::App* watched =
-      app.add_subcommand("watch", "how far an experiment is, told by its records alone, whoever runs it");
+      app.add_subcommand("watch", "say how far an experiment is, from its records, whoever runs it");
   offer(watched->add_option("experiment", options.name, "a file, or the name of one of `bench list`")
             ->type_name("NAME|FILE")
             ->required(),
@@ -189,6 +195,7 @@ Command add_watch(CLI::App& app, Parsed& parsed) {
   watched->add_option("--every", options.every, "seconds between looks, on a terminal")
       ->check(CLI::Range(0.1, 86400.0))
       ->capture_default_str();
+  watched->footer("Example:\n  bench watch rayrep_table2 --every 10");
   return {watched, [&parsed] { return watch_experiment(parsed.watch); }};
 }
 
@@ -204,10 +211,14 @@ void require_of_mesh(const Parsed& parsed) {
 }
 
 Command add_inspect(CLI::App& app, Parsed& parsed) {
-  CLI::App* inspected = app.add_subcommand("inspect",
-                                           "check a mesh: faults, repairs, shells, mass properties, and what "
-                                           "it does as a solid; or what G-code prints");
+  CLI::App* inspected = app.add_subcommand(
+      "inspect", "check and weigh a mesh, and say what it does as a solid; or weigh what G-code prints");
   add_inspect_options(*inspected, parsed);
+  inspected->footer(
+      "Examples:\n"
+      "  bench inspect top.stl --axis 0,0,1              does the solid spin about z?\n"
+      "  bench inspect scan.ply --close-holes 2          what it is with its holes closed\n"
+      "  bench inspect part.gcode --density 1.24         what a print of PLA weighs");
   return {inspected, [&parsed] {
             parsed.run.apply(parsed.once.config);
             if (kreisel::core::is_gcode(parsed.once.config.body.model))
@@ -218,9 +229,13 @@ Command add_inspect(CLI::App& app, Parsed& parsed) {
 }
 
 Command add_map(CLI::App& app, Parsed& parsed) {
-  CLI::App* mapped = app.add_subcommand(
-      "map", "every orientation over one domain: about which axes can a body spin, or float");
+  CLI::App* mapped =
+      app.add_subcommand("map", "try every orientation: about which axes can a body spin, or float?");
   add_map_options(*mapped, parsed);
+  mapped->footer(
+      "Examples:\n"
+      "  bench map bunny --axes 500 --wall 2%            about which axes can it spin?\n"
+      "  bench map duck --problem float --record m.h5    which way up can it float, and how deep?");
   return {mapped, [&parsed] {
             parsed.map.run = std::get<kreisel::core::MapRun>(parsed.run.make(find_run_kind("map")));
             return map_model(parsed.map);
@@ -228,8 +243,8 @@ Command add_map(CLI::App& app, Parsed& parsed) {
 }
 
 Command add_simulate(CLI::App& app, Parsed& parsed) {
-  CLI::App* simulated = app.add_subcommand(
-      "simulate", "set a part and the solid it was made of in motion: what does physics say?");
+  CLI::App* simulated =
+      app.add_subcommand("simulate", "set a part and its solid in motion, and say which speeds are stable");
   add_simulate_options(*simulated, parsed.simulate, [&](const std::string& field, const std::string& text) {
     parsed.run.say(field, text);
   });
@@ -237,6 +252,10 @@ Command add_simulate(CLI::App& app, Parsed& parsed) {
                       {"axis", "up", "unit", "weld", "close-holes", "inside-out", "pieces", "size", "density",
                        "void-density", "fineness", "device", "problem.fluid_density"});
   parsed.run.add_settings(*simulated, find_run_kind("simulation"));
+  simulated->footer(
+      "Examples:\n"
+      "  bench simulate run.h5 --scan --record motion.h5       a run that bench --record wrote\n"
+      "  bench simulate --mesh part.stl --contact 27.05,19.5,0  a file, on its tip");
   return {simulated, [&parsed] {
             parsed.run.apply(parsed.once.config);
             parsed.simulate.config = parsed.once.config;
@@ -246,8 +265,13 @@ Command add_simulate(CLI::App& app, Parsed& parsed) {
 
 Command add_nest(CLI::App& app, Parsed& parsed) {
   CLI::App* nested = app.add_subcommand(
-      "nest", "does one shape fit into another, to be taken out through a cut, and how large");
+      "nest", "does one shape fit into another, to be taken out through a cut, and how large?");
   add_nest_options(*nested, parsed);
+  nested->footer(
+      "Examples:\n"
+      "  bench nest --outer bunny --plane 0,1,0                 the largest scale at one placement\n"
+      "  bench nest --outer bunny --scale 0.3 --plane 0,1,0     does this scale nest?\n"
+      "  bench nest --outer heart --inner duck --free all       where does it nest largest?");
   return {nested, [&parsed] {
             parsed.nest.given = parsed.run.given();
             return nest_shapes(parsed.nest);
@@ -256,7 +280,7 @@ Command add_nest(CLI::App& app, Parsed& parsed) {
 
 Command add_report(CLI::App& app, Parsed& parsed) {
   CLI::App* reported =
-      app.add_subcommand("report", "tables and figures of experiments that have been run, as one HTML page");
+      app.add_subcommand("report", "write tables and figures of experiments as one HTML page");
   offer(reported->add_option("experiments", parsed.report.experiments, "default: all that have records"),
         experiment_names);
   reported->add_option("--results", parsed.report.results, "folder of the records")
@@ -269,6 +293,7 @@ Command add_report(CLI::App& app, Parsed& parsed) {
       ->add_option("--markdown", parsed.report.markdown,
                    "no page: write the tables into the marked places of these files")
       ->type_name("FILE ...");
+  reported->footer("Example:\n  bench report rayrep_table2 -o report.html");
   return {reported, [&parsed] {
             return parsed.report.markdown.empty() ? report(parsed.report) : report_markdown(parsed.report);
           }};
@@ -290,43 +315,47 @@ Command add_show(CLI::App& app, Parsed& parsed) {
       ->add_option("--published", options.published,
                    "numbers for columns published.NAME: a name of results/published, or a file")
       ->type_name("NAME|FILE");
-  add_file(*shown, "--json", options.json_file, "write the columns as JSON; - for standard output");
+  add_file(*shown, "--json", options.json_file, "write the columns as JSON; - writes it to standard output");
+  shown->footer("Example:\n  bench show results/runs/rayrep_table2 --columns model,seconds,objective");
   return {shown, [&parsed] { return show(parsed.show); }};
 }
 
 Command add_columns(CLI::App& app, Parsed& parsed) {
-  CLI::App* listed = app.add_subcommand("columns", "what tables, CSV and figures call by name");
-  listed->add_flag("--markdown", parsed.markdown, "as a table of a page");
+  CLI::App* listed = app.add_subcommand("columns", "list the columns of tables, CSV and figures");
+  listed->add_flag("--markdown", parsed.markdown, "print a Markdown table");
   return {listed, [&parsed] { return list_columns(parsed.markdown); }};
 }
 
 Command add_compare(CLI::App& app, Parsed& parsed) {
   CLI::App* compared = app.add_subcommand(
-      "compare", "two folders of records run by run: ratios of time, differences of objective");
+      "compare", "compare two folders of records: ratios of time, differences of objective");
   compared->add_option("A", parsed.compare.a, "records of one commit, machine or setting")
       ->type_name("FOLDER")
       ->required();
   compared->add_option("B", parsed.compare.b, "the same runs of another")->type_name("FOLDER")->required();
   compared->add_option("--fail-above", parsed.compare.fail_above,
                        "exit code 1 where a run of B takes more than so many times as long");
-  add_file(*compared, "--csv", parsed.compare.csv_file, "write the table as CSV, too");
+  add_file(*compared, "--csv", parsed.compare.csv_file, "also write the table as CSV");
+  compared->footer("Example:\n  bench compare results/before results/after --fail-above 1.2");
   return {compared, [&parsed] { return compare_results(parsed.compare); }};
 }
 
 Command add_fields(CLI::App& app, Parsed& parsed) {
   CLI::App* listed =
-      app.add_subcommand("fields", "kinds of runs, and what each can be told: options, TOML keys");
+      app.add_subcommand("fields", "list the kinds of runs, and the fields of each: options, TOML keys");
   offer(listed->add_option("kind", parsed.fields.kind,
                            "solve, map, simulation, or a nesting: scale, test, swarm, ..."),
         kreisel::core::names_in(kreisel::core::run_kinds));
-  listed->add_flag("--markdown", parsed.fields.markdown, "as a table of a page");
+  listed->add_flag("--markdown", parsed.fields.markdown, "print a Markdown table");
+  listed->footer("Example:\n  bench fields swarm");
   return {listed, [&parsed] { return fields(parsed.fields); }};
 }
 
 Command add_devices(CLI::App& app, Parsed& parsed) {
-  CLI::App* probed = app.add_subcommand("devices", "OpenCL devices, with measured bandwidth and flop rate");
-  probed->add_flag("--no-measure", parsed.no_measure, "only what they say of themselves");
-  probed->add_option("--device", parsed.only_device, "only this one");
+  CLI::App* probed =
+      app.add_subcommand("devices", "list OpenCL devices, and measure their bandwidth and flop rate");
+  probed->add_flag("--no-measure", parsed.no_measure, "print only what the devices say of themselves");
+  probed->add_option("--device", parsed.only_device, "measure this device alone");
   return {probed, [&parsed] { return devices(!parsed.no_measure, parsed.only_device); }};
 }
 
@@ -335,6 +364,13 @@ int dispatch(int argc, char** argv) {
   app.set_version_flag("--version", fmt::format("kreisel {} ({})", kreisel::core::build_info::version,
                                                 kreisel::core::build_info::commit));
   app.require_subcommand(0, 1);
+  app.footer(
+      "Examples:\n"
+      "  bench --model bunny --problem stand --mesh part.stl     solve, and write the part\n"
+      "  bench --formulation quadric --certify                   prove how good the result is\n"
+      "  bench inspect part.stl                                  what a mesh weighs and does\n"
+      "  bench run rayrep_table2                                 make a table of a paper\n"
+      "`bench COMMAND --help` says more of a command.");
   Parsed parsed;
   add_run_options(app, parsed);
   std::vector<Command> commands;
@@ -342,11 +378,10 @@ int dispatch(int argc, char** argv) {
                          add_report, add_show, add_compare, add_columns, add_fields})
     commands.push_back(add(app, parsed));
   commands.emplace_back(
-      app.add_subcommand("list", "models, problems, formulations, solvers, experiments; which pairs work"),
-      list);
+      app.add_subcommand("list", "list models, problems, formulations, solvers, experiments"), list);
   commands.push_back(add_devices(app, parsed));
   commands.emplace_back(add_completion(app), [] { return done; });
-  if (completes(app, argc, argv)) return done;
+  if (completes(app, argc, argv) || prints_manual(app, argc, argv)) return done;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

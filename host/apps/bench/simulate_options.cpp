@@ -9,7 +9,7 @@ namespace kreisel::core::bench {
 
 void add_simulate_options(CLI::App& app, SimulateOptions& simulate,
                           const std::function<void(const std::string&, const std::string&)>& give) {
-  app.add_option("run", simulate.record, "what `bench --record` wrote: its solid and its part")
+  app.add_option("run", simulate.record, "what `bench --record` wrote; its solid and its part move")
       ->type_name("FILE");
   const auto choices_of = [](std::string_view name) {
     return find_field(simulation_fields(), name)->choices;
@@ -58,7 +58,7 @@ void add_simulate_options(CLI::App& app, SimulateOptions& simulate,
   }
   app.add_option("--axle", simulate.spec.axle_mm,
                  "yoyo: radius of the axle, mm; then it runs down its string, too");
-  app.add_option("--json", simulate.json_file, "write it all as JSON; - for standard output")
+  app.add_option("--json", simulate.json_file, "write it all as JSON; - writes it to standard output")
       ->type_name("FILE");
   app.add_option("--record", simulate.record_file, "write the simulation as HDF5")->type_name("FILE");
 }

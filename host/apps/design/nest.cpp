@@ -48,35 +48,41 @@ void print(const Nested& nested) {
 }  // namespace
 
 void add_nest_options(CLI::App& app, NestArguments& arguments) {
-  offer(
-      app.add_option(
-             "models", arguments.models,
-             "names of `bench list` or mesh files: the outer shape, the one in it, the one in that ...; the "
-             "last goes into itself")
-          ->type_name("NAME|FILE")
-          ->required(),
-      shape_names);
+  offer(app.add_option("models", arguments.models,
+                       "names of `bench list` or mesh files, the outermost first; the last goes into itself")
+            ->type_name("NAME|FILE")
+            ->required(),
+        shape_names);
   arguments.outputs.add(app,
                         "the parts, each a file with a name of its own beside this one, or objects of it");
-  app.add_option("--wall", arguments.wall, "least wall: mm, or 2% (of the longest side)")
+  app.option_defaults()->group("The parts");
+  app.add_option("--wall", arguments.wall,
+                 "least thickness of the wall: in mm, or in per cent of the longest side (2%)")
       ->capture_default_str();
-  app.add_option("--density", arguments.spec.density, "g/cm^3")->capture_default_str();
+  app.add_option("--density", arguments.spec.density, "density of the material, g/cm^3")
+      ->capture_default_str();
   app.add_flag("--lay-flat", arguments.spec.lay_flat,
-               "write the parts beside each other, halves lying on their cuts");
+               "lay the parts beside each other, halves on their cuts");
   app.add_option("--pegs", arguments.spec.peg_radius,
-                 "radius of loose pins that align the halves of each layer, mm; default none")
+                 "radius of loose pins that align the halves of each layer, mm; default: none")
       ->check(CLI::PositiveNumber);
-  app.add_flag("--accept", arguments.accept, "exit code 0, though a wall or gap is less than was asked");
+  app.add_flag("--accept", arguments.accept,
+               "end with exit code 0, even if a wall or gap is less than was asked");
   app.add_option_function<std::string>(
       "--size", [&](const std::string& text) { arguments.options.say("outer-size", text); },
-      "longest side of the outer shape in mm; default as the model is");
+      "longest side of the outer shape, mm; default: as the model is");
   offer(app.add_option_function<std::string>(
             "--unit", [&](const std::string& text) { arguments.spec.unit = find_length_unit(text); },
-            "of the outer shape, an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm"),
+            "unit of the outer shape, an STL, OBJ, PLY or OFF file: mm, cm, m or in; default mm"),
         names_in(length_units));
   arguments.options.add_some(app, {&find_run_kind("layers")},
                              {"layers", "printer-accuracy", "free", "up", "plane", "removal", "keep-out",
                               "fineness", "particles", "iterations", "seed", "seconds", "cells", "device"});
+  app.footer(
+      "Examples:\n"
+      "  design nest bunny.stl -o doll.3mf --layers 2 --html doll.html    a bunny in a bunny in a bunny\n"
+      "  design nest heart.stl duck.stl -o doll.stl --size 120 --lay-flat  a duck in a heart of 120 mm\n"
+      "Lengths are mm, masses g, densities g/cm^3.");
 }
 
 int nest_parts(NestArguments& arguments) {

@@ -13,13 +13,15 @@
 namespace kreisel::core::apps {
 
 void DesignOutputs::add(CLI::App& app, const std::string& what) {
+  app.option_defaults()->group("Output");
   app.add_option("-o,--output", part, what + ": .stl, .3mf (with units), .obj, .ply or .off, mm")
       ->type_name("FILE")
       ->required();
-  app.add_option("--json", json, "write a report as JSON; - for standard output")->type_name("FILE");
-  app.add_option("--html", html, "write a page with a view of it, a cut to move, and the numbers")
+  app.add_option("--json", json, "write a report as JSON; - writes it to standard output")->type_name("FILE");
+  app.add_option("--html", html, "write a page for a browser: a view, a cut to move, and the numbers")
       ->type_name("FILE");
-  app.add_flag("--force", force, "write over files that exist");
+  app.add_flag("--force", force, "overwrite files that exist");
+  app.option_defaults()->group("Options");
 }
 
 void DesignOutputs::require_writable() const {

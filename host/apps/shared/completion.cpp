@@ -137,7 +137,8 @@ std::vector<std::string> candidates(const CLI::App& app, std::span<const std::st
 }
 
 CLI::App* add_completion(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("completion", "a script that lets bash, zsh or fish complete words");
+  CLI::App* command =
+      app.add_subcommand("completion", "print a script that lets bash, zsh or fish complete words");
   offer(command
             ->add_option_function<std::string>(
                 "shell",

@@ -125,8 +125,9 @@ std::vector<std::string_view> kinds_with(std::string_view option) {
 std::stop_token interruption() { return interruptions().get_token(); }
 
 std::string explained(const CLI::App& app, const CLI::ParseError& error) {
-  const std::string help = fmt::format("({} --help lists the options)", app.get_name());
   const CLI::App* used = app.get_subcommands().empty() ? &app : app.get_subcommands().front();
+  const std::string name = used == &app ? app.get_name() : app.get_name() + " " + used->get_name();
+  const std::string help = fmt::format("({} --help lists the options)", name);
   std::vector<std::string> extras;
   if (dynamic_cast<const CLI::ExtrasError*>(&error)) extras = used->remaining(true);
   if (extras.empty()) return fmt::format("{} {}", error.what(), help);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "apps/shared/completion.hpp"
 #include "error.hpp"
@@ -19,6 +20,10 @@ void describe(const Field<Run>& field, CLI::Option* option) {
   else if (!field.unit.empty())
     option->type_name(std::string(field.unit));
   offer(option, field.choices);
+  std::string group(field.group);
+  if (group.empty()) return;
+  group[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(group[0])));
+  option->group(group);
 }
 
 bool among(const RunOptions::Names& names, std::string_view name) {
@@ -47,7 +52,8 @@ void RunOptions::add(CLI::App& app, const std::string& option, const std::string
 
 void RunOptions::add_model(CLI::App& app) {
   const Field<Run>* model = find_field(find_run_kind("solve").fields, "model");
-  add(app, "model,--model", "model", std::string(model->help));
+  const std::string help(model->help.substr(0, model->help.find("; default")));  // here it must be named
+  add(app, "model,--model", "model", help);
   app.get_option("--model")->required();
 }
 
@@ -82,8 +88,11 @@ void RunOptions::add_but(CLI::App& app, const std::vector<const RunKind*>& kinds
 }
 
 void RunOptions::add_settings(CLI::App& app, const RunKind& kind) {
-  offer(app.add_option("--set", settings_, fmt::format("groups: {}", fmt::join(kind.groups, ", ")))
+  offer(app.add_option("--set", settings_,
+                       fmt::format("a setting that has no option of its own; groups: {}",
+                                   fmt::join(kind.groups, ", ")))
             ->allow_extra_args(false)
+            ->group("Settings")
             ->type_name("GROUP.NAME=VALUE"),
         [groups = kind.groups] {
           std::vector<std::string> begun;
