@@ -194,6 +194,7 @@ Deformed deformed(const Stages& stages, const RunConfig& question, const Control
     return (a - b).squaredNorm() > most * most;
   });
   DeformOptions options;
+  options.settings = parse_deform_settings(settings_of(question, "deform"));
   options.held = held_of(stages, question.deform, side);
   if (question.deform.within) options.within = *question.deform.within / 100 * side;
   GridSpec grid = question.grid;

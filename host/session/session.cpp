@@ -218,7 +218,7 @@ std::shared_ptr<Session::OfDeformed> Session::deformed(const RunConfig& question
                                                        const Control& control) {
   return stage("deformed", deformed_,
                {stages.pose, stages.domain, question.problem, settings_of(question, "problem"),
-                question.deform, question.grid.resolution},
+                settings_of(question, "deform"), question.deform, question.grid.resolution},
                [&] {
                  auto made = std::make_shared<OfDeformed>();
                  made->body = kreisel::core::deformed(stages, question, control);
