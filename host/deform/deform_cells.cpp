@@ -17,15 +17,19 @@
 namespace kreisel::core {
 namespace {
 
-/// Voxels that fill the cells of the cage's grid.
-GridSpec voxels_of(const CageGrid& cage, int resolution, const DeformSettings& settings) {
+/// 2^level voxels along the longest side. @throws InputError  coarser than the cage's grid
+int level_of(int resolution, const DeformSettings& settings) {
   const int level = std::bit_width(static_cast<unsigned>(std::max(resolution, 2)) - 1);
   if (level < settings.grid)
     throw InputError(
         fmt::format("--deform at a resolution of {}, below the {} cells of the cage's grid; expected a finer "
-                    "--resolution, "
-                    "or deform.grid = {}",
+                    "--resolution, or deform.grid = {}",
                     resolution, 1 << settings.grid, level));
+  return level;
+}
+
+/// Voxels that fill the cells of the cage's grid.
+GridSpec voxels_of(const CageGrid& cage, int level, const DeformSettings& settings) {
   const int along = cage.finer << (level - settings.grid);
   GridSpec spec;
   spec.cells = {along * cage.cells[0], along * cage.cells[1], along * cage.cells[2]};
@@ -53,9 +57,9 @@ Deformation deform_cells(const Body& body, const Problem& problem, const Handled
                          const DeformSettings& settings, device::Device& device, const Control& control) {
   const Stopwatch watch;
   const StopScope scope(control.stop);
+  const int level = level_of(question.resolution, settings);
   const auto cage = weighted_cage(body.local, settings.level, settings.grid, control);
-  const Columns domain =
-      make_columns(body, voxels_of(cage->cage.grid(), question.resolution, settings), question.wall);
+  const Columns domain = make_columns(body, voxels_of(cage->cage.grid(), level, settings), question.wall);
   control.tell("deform: how a surface bends");
   const std::optional<Body> plain = plainer(body);
   const CageHandles handles(cage);
@@ -68,6 +72,7 @@ Deformation deform_cells(const Body& body, const Problem& problem, const Handled
   const MassModel mass = hollowed(body, domain.interior);
   const Task task{problem, cells, mass, device, control.stop};
 
+  require_form(question.solver, cells);
   Deformation result;
   SolverOptions options = question.options;
   constexpr double reach = 1e-2;  // as of what is linear in the fills
@@ -77,11 +82,8 @@ Deformation deform_cells(const Body& body, const Problem& problem, const Handled
   };
   const Outcome outcome = solve(question.solver, task, options);
   control.stop_if_asked();
-  for (const Refinement& round : outcome.refinements)
-    result.history.push_back({round.violation, round.regulariser, round.variables});
   const ScaledHandles h = cells.handles(outcome.x);
-  result.handled = {outcome.objective, cells.energy(outcome.x), outcome.violation, outcome.iterations,
-                    outcome.x.size()};
+  result.joint = {outcome.objective, outcome.violation, outcome.iterations, outcome.x.size()};
   result.anchor = problem.anchor();
   result.local = cells.skin(h);
   Box spread;

@@ -26,14 +26,14 @@ Fields<DeformSettings> fields() {
               "lattice (of a B-spline, default) or cage (corners of the octree cells that "
               "meet the body)",
               {"lattice", "cage"}, [](auto& s) -> auto& { return s.handles; }),
-          level_field("level", "of the cage's cells, 2^level along the longest side; default 3",
+          level_field("level", "of the cage's cells, 2^level along the longest side; default 2",
                       &DeformSettings::level),
-          level_field("grid", "level of the cells that a cage's weights are solved for on; default 5",
+          level_field("grid", "level of the cells that a cage's weights are solved for on; default 4",
                       &DeformSettings::grid),
-          {"gamma_dl", "", "weight of how much the surface bends, with voxel or octree; default 0.01",
+          {"gamma_dl", "", "weight of how much the surface bends, with voxel or octree; default 1",
            [](auto& s, auto k, auto v) { s.gamma_dl = not_negative(k, v); },
            [](auto& s) { return number_text(s.gamma_dl); }},
-          {"gamma_dv", "", "of how far it moves, body units squared; default 1",
+          {"gamma_dv", "", "of how far it moves, body units squared; default 100",
            [](auto& s, auto k, auto v) { s.gamma_dv = positive(k, v); },
            [](auto& s) { return number_text(s.gamma_dv); }}};
 }

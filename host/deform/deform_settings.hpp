@@ -10,10 +10,10 @@ enum class HandleKind { lattice, cage };
 
 struct DeformSettings {
   HandleKind handles = HandleKind::lattice;
-  int level = 3;           ///< of the cage's cells: 2^level along the longest side
-  int grid = 5;            ///< of the cells that its weights are solved for on, at least as fine
-  double gamma_dl = 0.01;  ///< weight of the surface's bending, of cells and handles together; >= 0
-  double gamma_dv = 1;     ///< of its displacement, > 0
+  int level = 2;          ///< of the cage's cells: 2^level along the longest side
+  int grid = 4;           ///< of the cells that its weights are solved for on, at least as fine
+  double gamma_dl = 1;    ///< weight of the surface's bending, of cells and handles together; >= 0
+  double gamma_dv = 100;  ///< of its displacement, > 0
 };
 
 /// Group "deform".

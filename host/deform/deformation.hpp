@@ -23,9 +23,8 @@ struct DeformStep {
 };
 
 /// Of cells and handles solved for together: where that ended.
-struct HandledOutcome {
+struct JointOutcome {
   double objective = 0;  ///< without the regularisers
-  double energy = 0;     ///< the regularisers of the surface
   double violation = 0;  ///< of the constraints, body units
   int iterations = 0;
   std::size_t variables = 0;
@@ -44,7 +43,7 @@ struct Deformation {
   bool too_far = false;       ///< it would do, but is farther than allowed
   std::size_t crossings = 0;  ///< pairs of triangles that run through each other; then nothing is reached
   std::vector<DeformStep> history;
-  std::optional<HandledOutcome> handled;  ///< of the published way
+  std::optional<JointOutcome> joint;  ///< of the published way
   double seconds = 0;
 };
 

@@ -25,6 +25,7 @@ HandledCells::HandledCells(const Body& body, const Columns& domain, std::unique_
       cage_(std::move(cage)),
       device_(device),
       moved_cells_(cage_->cage, domain),
+      interior_(cage_->cage, domain),
       anchor_(anchor),
       light_(std::min(body.interior_density, body.void_density) / body.density - 1) {
   for (const Cage::Place& node : cage_->cage.nodes()) nodes_.push_back(cage_->cage.position(node));
@@ -40,6 +41,10 @@ HandledCells::HandledCells(const Body& body, const Columns& domain, std::unique_
   of_vertex_.resize(static_cast<Eigen::Index>(mesh.vertices.size()),
                     static_cast<Eigen::Index>(handles.count()));
   of_vertex_.setFromTriplets(entries.begin(), entries.end());
+
+  const int whole = 1 << octree_levels(domain.grid);
+  const Cube all{0, 0, 0, static_cast<std::uint16_t>(whole)};
+  interior_.set({&all, 1});
 
   unit_ = domain.interior[S1] / static_cast<double>(cells_->num_variables());
   Eigen::MatrixXd definite = energy;
@@ -169,8 +174,7 @@ void HandledCells::pull_back(std::span<const double> x, std::span<const Moments>
 void HandledCells::add_moved(std::span<const double> x, std::span<const Moments> weights,
                              std::span<double> out) {
   move(x);
-  const std::vector<double> all(fills(), light_);
-  const std::vector<NodeMotion> gradient = moved_cells_.gradient(motion_, all, weights);
+  const std::vector<NodeMotion> gradient = interior_.gradient(motion_, {&light_, 1}, weights);
   for (std::size_t r = 0; r < weights.size(); ++r) {
     const std::vector<Vec3> of_skin = mesh_moments_gradient(skin_, weights[r], device_);
     Eigen::Map<Eigen::VectorXd>(out.data() + r * num_variables() + fills(), units_.cols()) +=

@@ -74,6 +74,7 @@ class HandledCells final : public Formulation {
   std::shared_ptr<const WeightedCage> cage_;
   device::Device& device_;
   MovedCells moved_cells_;
+  MovedCells interior_;      ///< all of it as one cell
   std::vector<Vec3> nodes_;  ///< of the cage's grid
   Vec3 anchor_;
   Eigen::MatrixXd of_anchor_;                               ///< (3, 4 handles)

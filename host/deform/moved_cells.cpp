@@ -111,9 +111,7 @@ MovedCells::MovedCells(const Cage& cage, const Columns& domain)
         static_cast<int>(std::lround((cage.grid().origin[a] - grid.origin[a]) / grid.h));
   inside_.assign(static_cast<std::size_t>(grid.n[0]) * grid.n[1] * grid.n[2], 0);
   for (const Interval& run : domain.intervals)
-    for (int k = run.k0; k < run.k1; ++k)
-      inside_[run.ix + static_cast<std::size_t>(grid.n[0]) *
-                           (run.iy + static_cast<std::size_t>(grid.n[1]) * static_cast<std::size_t>(k))] = 1;
+    for (int k = run.k0; k < run.k1; ++k) inside_[voxel(run.ix, run.iy, k)] = 1;
 }
 
 void MovedCells::add(std::uint32_t owner, std::uint32_t cell, const std::array<int, 3>& lo,
@@ -127,16 +125,42 @@ void MovedCells::add(std::uint32_t owner, std::uint32_t cell, const std::array<i
   parts_.push_back(part);
 }
 
+/// In few boxes: from each corner that is left as far as it goes along z, then y, then x.
+void MovedCells::add_inside(std::uint32_t owner, std::uint32_t cell, const std::array<int, 3>& lo,
+                            const std::array<int, 3>& hi) {
+  const std::array<int, 3> n = {hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]};
+  left_.clear();
+  for (int i = lo[0]; i < hi[0]; ++i)
+    for (int j = lo[1]; j < hi[1]; ++j)
+      for (int k = lo[2]; k < hi[2]; ++k) left_.push_back(inside_[voxel(i, j, k)]);
+  const auto left = [&](int i, int j, int k) -> std::uint8_t& {
+    return left_[static_cast<std::size_t>((i * n[1] + j) * n[2] + k)];
+  };
+  const auto all_left = [&](int i, int j, int end_j, int k, int end_k) {
+    for (; j < end_j; ++j)
+      for (int at = k; at < end_k; ++at)
+        if (!left(i, j, at)) return false;
+    return true;
+  };
+  for (int i = 0; i < n[0]; ++i)
+    for (int j = 0; j < n[1]; ++j)
+      for (int k = 0; k < n[2]; ++k) {
+        if (!left(i, j, k)) continue;
+        int end_k = k + 1, end_j = j + 1, end_i = i + 1;
+        while (end_k < n[2] && left(i, j, end_k)) ++end_k;
+        while (end_j < n[1] && all_left(i, end_j, end_j + 1, k, end_k)) ++end_j;
+        while (end_i < n[0] && all_left(end_i, j, end_j, k, end_k)) ++end_i;
+        for (int a = i; a < end_i; ++a)
+          for (int b = j; b < end_j; ++b)
+            for (int c = k; c < end_k; ++c) left(a, b, c) = 0;
+        add(owner, cell, {lo[0] + i, lo[1] + j, lo[2] + k}, {lo[0] + end_i, lo[1] + end_j, lo[2] + end_k});
+      }
+}
+
 void MovedCells::set(std::span<const Cube> cells) {
   size_ = cells.size();
   parts_.clear();
   const Grid& grid = domain_.grid;
-  const auto inside = [&](int i, int j, int k) {
-    return inside_[static_cast<std::size_t>(i) +
-                   static_cast<std::size_t>(grid.n[0]) *
-                       (static_cast<std::size_t>(j) +
-                        static_cast<std::size_t>(grid.n[1]) * static_cast<std::size_t>(k))] != 0;
-  };
   // The grid's cells by their place.
   const std::array<int, 3> n = {cage_.grid().cells[0] * cage_.grid().finer,
                                 cage_.grid().cells[1] * cage_.grid().finer,
@@ -168,23 +192,7 @@ void MovedCells::set(std::span<const Cube> cells) {
             lo[a] = std::max(from[a], first_[a] + c[a] * voxels_);
             hi[a] = std::min(to[a], first_[a] + (c[a] + 1) * voxels_);
           }
-          bool full = true;
-          for (int k = lo[2]; k < hi[2] && full; ++k)
-            for (int j = lo[1]; j < hi[1] && full; ++j)
-              for (int i = lo[0]; i < hi[0] && full; ++i) full = inside(i, j, k);
-          if (full) {
-            add(owner, static_cast<std::uint32_t>(cell), lo, hi);
-            continue;
-          }
-          for (int j = lo[1]; j < hi[1]; ++j)
-            for (int i = lo[0]; i < hi[0]; ++i)
-              for (int k = lo[2]; k < hi[2]; ++k) {
-                int end = k;
-                while (end < hi[2] && inside(i, j, end)) ++end;
-                if (end == k) continue;
-                add(owner, static_cast<std::uint32_t>(cell), {i, j, k}, {i + 1, j + 1, end});
-                k = end;
-              }
+          add_inside(owner, static_cast<std::uint32_t>(cell), lo, hi);
         }
   }
 }

@@ -47,6 +47,15 @@ class MovedCells {
   };
   void add(std::uint32_t owner, std::uint32_t cell, const std::array<int, 3>& lo,
            const std::array<int, 3>& hi);
+  /// What of a box of voxels is interior.
+  void add_inside(std::uint32_t owner, std::uint32_t cell, const std::array<int, 3>& lo,
+                  const std::array<int, 3>& hi);
+  [[nodiscard]] std::size_t voxel(int i, int j, int k) const {
+    const auto& n = domain_.grid.n;
+    return static_cast<std::size_t>(i) +
+           static_cast<std::size_t>(n[0]) *
+               (static_cast<std::size_t>(j) + static_cast<std::size_t>(n[1]) * static_cast<std::size_t>(k));
+  }
 
   const Cage& cage_;
   const Columns& domain_;
@@ -55,7 +64,8 @@ class MovedCells {
   std::vector<std::uint8_t> inside_;  ///< of each voxel: interior
   std::vector<std::int32_t> cell_;    ///< the number of each place's cell in the cage, or -1
   std::size_t size_ = 0;
-  std::vector<Part> parts_;  ///< by cell
+  std::vector<std::uint8_t> left_;  ///< of a box, while it is added
+  std::vector<Part> parts_;         ///< by cell
 };
 
 }  // namespace kreisel::core

@@ -55,6 +55,15 @@ std::vector<Eigen::Matrix3d> laplacian_at(const TriangleMesh& mesh, std::uint32_
   return blocks;
 }
 
+/// side^2 / e^2.
+double bend_scale(const TriangleMesh& mesh, std::uint32_t vertex, const std::vector<std::uint32_t>& around,
+                  double side) {
+  double edge = 0;
+  for (const std::uint32_t other : around) edge += (mesh.vertices[other] - mesh.vertices[vertex]).norm();
+  edge /= static_cast<double>(around.size());
+  return side * side / (edge * edge);
+}
+
 }  // namespace
 
 Eigen::MatrixXd displacement_rows(const HandleWeights& weights, const Vec3& v, std::size_t handles) {
@@ -89,10 +98,7 @@ Eigen::MatrixXd surface_energy(const TriangleMesh& mesh, const CageHandles& hand
       const auto at = 6 * static_cast<Eigen::Index>(i);
       rows.middleRows<3>(at) = std::sqrt(gamma_dv) * rows_of(v);
       if (around[v].empty()) return;
-      double edge = 0;
-      for (const std::uint32_t other : around[v]) edge += (mesh.vertices[other] - mesh.vertices[v]).norm();
-      edge /= static_cast<double>(around[v].size());
-      const double scale = std::sqrt(gamma_dl) * side * side / (edge * edge);
+      const double scale = std::sqrt(gamma_dl) * bend_scale(mesh, v, around[v], side);
       const std::vector<Eigen::Matrix3d> blocks = laplacian_at(mesh, v, around[v]);
       auto bent = rows.middleRows<3>(at + 3);
       bent = scale * blocks[0] * rows_of(v);
@@ -106,6 +112,26 @@ Eigen::MatrixXd surface_energy(const TriangleMesh& mesh, const CageHandles& hand
   energy = Eigen::MatrixXd(energy.selfadjointView<Eigen::Lower>());
   energy -= 2 * mean.transpose() * mean;
   return energy;
+}
+
+double surface_energy(const TriangleMesh& mesh, const std::vector<Vec3>& to, double gamma_dl,
+                      double gamma_dv) {
+  const auto n = static_cast<double>(mesh.vertices.size());
+  const auto around = neighbours_of(mesh);
+  const double side = bounding_box(mesh.vertices).extent().maxCoeff();
+  const auto displacement = [&](std::uint32_t v) -> Vec3 { return to[v] - mesh.vertices[v]; };
+  Vec3 mean = Vec3::Zero();
+  for (std::uint32_t v = 0; v < to.size(); ++v) mean += displacement(v) / n;
+  double far = 0, bent = 0;
+  for (std::uint32_t v = 0; v < to.size(); ++v) {
+    far += (displacement(v) - mean).squaredNorm();
+    if (around[v].empty()) continue;
+    const std::vector<Eigen::Matrix3d> blocks = laplacian_at(mesh, v, around[v]);
+    Vec3 sum = blocks[0] * displacement(v);
+    for (std::size_t k = 0; k < around[v].size(); ++k) sum += blocks[k + 1] * displacement(around[v][k]);
+    bent += (bend_scale(mesh, v, around[v], side) * sum).squaredNorm();
+  }
+  return (gamma_dl * bent + gamma_dv * far) / n;
 }
 
 }  // namespace kreisel::core

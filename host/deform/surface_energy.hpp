@@ -26,4 +26,8 @@ using ScaledHandles = Eigen::VectorXd;
 [[nodiscard]] Eigen::MatrixXd surface_energy(const TriangleMesh& mesh, const CageHandles& handles,
                                              double gamma_dl, double gamma_dv);
 
+/// The same of any displacement. @param to  the vertices where they are now
+[[nodiscard]] double surface_energy(const TriangleMesh& mesh, const std::vector<Vec3>& to, double gamma_dl,
+                                    double gamma_dv);
+
 }  // namespace kreisel::core

@@ -150,7 +150,7 @@ class Session {
     std::shared_ptr<const Body> pose;
     std::shared_ptr<const RunDomain> domain;
     std::string problem;
-    SettingTexts settings, own_settings;
+    SettingTexts settings;
     DeformSpec spec;
     int cells = 0;
     bool operator==(const DeformKey&) const = default;

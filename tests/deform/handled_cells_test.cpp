@@ -148,6 +148,12 @@ TEST(SurfaceEnergy, IsNothingForAWholeThatMovesAndTurnsALittle) {
   for (const Vec3& v : of.body.local.vertices) mean += v / n;
   for (const Vec3& v : of.body.local.vertices) square += (v - mean).squaredNorm() / n;
   EXPECT_NEAR(grown.dot(far * grown) / 2, square, 1e-6 * square);
+  // As a form in the handles, and of the vertices themselves.
+  ScaledHandles any = ScaledHandles::NullaryExpr(
+      bent.rows(), [](Eigen::Index i) { return 0.1 * std::sin(static_cast<double>(i)); });
+  const std::vector<Vec3> to = of.cells->skin(any).vertices;
+  EXPECT_NEAR(surface_energy(of.body.local, to, 1, 0), any.dot(bent * any) / 2, 1e-6 * any.dot(bent * any));
+  EXPECT_NEAR(surface_energy(of.body.local, to, 0, 1), any.dot(far * any) / 2, 1e-6 * any.dot(far * any));
 }
 
 }  // namespace THIS_FILE
