@@ -7,11 +7,12 @@
 #include <utility>
 
 #include "body/mesh_moments.hpp"
+#include "deform/cage_handles.hpp"
 #include "deform/handles.hpp"
+#include "deform/plainer.hpp"
 #include "deform/separation.hpp"
 #include "error.hpp"
 #include "mesh/solid/self_intersections.hpp"
-#include "mesh/solid/simplify.hpp"
 #include "stop.hpp"
 #include "stopwatch.hpp"
 
@@ -215,21 +216,19 @@ Found Search::settle(const Found& from, double within) {
   return {Reached::nothing, here_};
 }
 
-/// A body of few triangles in place of one of many, for the search; nothing where it has few.
-std::optional<Body> plainer(const Body& body) {
-  constexpr std::size_t many = 12000;
-  if (body.local.triangles.size() <= many) return std::nullopt;
-  const double off = 1e-3 * bounding_box(body.local).extent().maxCoeff();
-  Body plain = body;
-  plain.local = simplified(body.local, {off, off});
-  plain.solid = reference::mesh_moments(plain.local).value + body.added;
-  return plain;
+std::unique_ptr<const Handles> free_handles(const Body& body, const DeformOptions& options,
+                                            const Control& control) {
+  const DeformSettings& settings = options.settings;
+  if (settings.handles == HandleKind::lattice)
+    return std::make_unique<Lattice>(body.local.vertices, options.spans);
+  return std::make_unique<CageHandles>(weighted_cage(body.local, settings.level, settings.grid, control));
 }
 
-std::unique_ptr<const Handles> handles_of(const Body& body, const DeformOptions& options) {
-  std::unique_ptr<const Handles> lattice = std::make_unique<Lattice>(body.local.vertices, options.spans);
-  if (!options.held) return lattice;
-  return std::make_unique<HeldHandles>(std::move(lattice), options.held);
+std::unique_ptr<const Handles> handles_of(const Body& body, const DeformOptions& options,
+                                          const Control& control) {
+  std::unique_ptr<const Handles> handles = free_handles(body, options, control);
+  if (!options.held) return handles;
+  return std::make_unique<HeldHandles>(std::move(handles), options.held);
 }
 
 Deformation described(const Body& body, const Problem& problem, const LeastMove& move, const Found& found) {
@@ -256,7 +255,7 @@ Deformation described(const Body& body, const Problem& problem, const LeastMove&
 /// One search, with one limit to how much space may shrink.
 Deformation search(const Body& body, const Problem& problem, const ShapeRays& rays,
                    const DeformOptions& options, device::Device& device, const Control& control) {
-  const std::unique_ptr<const Handles> handles = handles_of(body, options);
+  const std::unique_ptr<const Handles> handles = handles_of(body, options, control);
   Separation separation(body, problem, options.margin, control.stop);
   std::vector<DeformStep> history;
   const auto of = [&](const Body& one) {

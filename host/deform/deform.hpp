@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "control.hpp"
+#include "deform/deform_settings.hpp"
 #include "deform/deformation.hpp"
 #include "deform/held.hpp"
 #include "deform/least_move.hpp"
@@ -16,13 +17,14 @@ namespace kreisel::core {
 struct DeformOptions {
   /// The largest displacement allowed: the best objective within it. Nothing: as little as does.
   std::optional<double> within;
+  DeformSettings settings = {};
   int spans = 4;          ///< of the lattice, along the longest side
   double margin = 5e-3;   ///< by which constraints must be met to meet on another grid, and as meshes
   MoveOptions move = {};  ///< `held` follows from the next
   std::shared_ptr<const Held> held = {};  ///< what stays as it is; nothing: nothing does
 };
 
-/// Moves the handles of a lattice until an interior does what the problem asks: every quadric that separates
+/// Moves handles until an interior does what the problem asks: every quadric that separates
 /// what is asked from all interiors gives a row that the motion must meet, by its derivative; of all motions
 /// that meet them the nearest is taken, in steps. [docs/deformation.md]
 ///

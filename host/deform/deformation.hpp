@@ -1,6 +1,7 @@
 // deformation.hpp - what a deformation comes to.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +22,14 @@ struct DeformStep {
   std::size_t cuts = 0;  ///< quadrics that separated a shape so far
 };
 
+/// Of cells and handles solved for together: where that ended.
+struct JointOutcome {
+  double objective = 0;  ///< without the regularisers
+  double violation = 0;  ///< of the constraints, body units
+  int iterations = 0;
+  std::size_t variables = 0;
+};
+
 /// Body frame and units of the undeformed body.
 struct Deformation {
   Reached reached = Reached::nothing;
@@ -34,6 +43,7 @@ struct Deformation {
   bool too_far = false;       ///< it would do, but is farther than allowed
   std::size_t crossings = 0;  ///< pairs of triangles that run through each other; then nothing is reached
   std::vector<DeformStep> history;
+  std::optional<JointOutcome> joint;  ///< of the published way
   double seconds = 0;
 };
 

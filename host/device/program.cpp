@@ -12,17 +12,12 @@
 #include "device/kernel_source.hpp"
 #include "device/pocl_cache.hpp"
 #include "error.hpp"
+#include "file/content_key.hpp"
 
 namespace kreisel::core::device {
 namespace {
 
 using Binary = std::vector<unsigned char>;
-
-/// FNV-1a, 64 bits; `basis` makes two independent halves of a key.
-std::uint64_t fnv1a(std::string_view text, std::uint64_t basis) {
-  for (const char c : text) basis = (basis ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-  return basis;
-}
 
 std::optional<Binary> read_binary(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -72,7 +67,7 @@ std::string cache_key(const Device& device, std::string_view source, const std::
   std::string all =
       fmt::format("{}\n{}\n{}\n{}\n{}\n", options, info.platform, info.name, info.version, info.driver);
   all += source;
-  return fmt::format("{:016x}{:016x}", fnv1a(all, 0xcbf29ce484222325ull), fnv1a(all, 0x6c62272e07bb0142ull));
+  return content_key(all);
 }
 
 cl::Program build_source(const Device& device, std::string_view name, std::string_view source,

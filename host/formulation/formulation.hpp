@@ -102,7 +102,7 @@ class Formulation {
   virtual void restart() {}
   [[nodiscard]] virtual CellCounts count_cells(std::span<const double> /*x*/) const { return {}; }
 
-  /// Which cells the variables are the fills of, in their order; of a formulation that refines.
+  /// Which cells the variables are the fills of, in their order; empty: of none.
   [[nodiscard]] virtual std::vector<Cube> cells() const { return {}; }
 
   /// Its settings as they are in force, defaults included.

@@ -39,6 +39,15 @@ class Voxel final : public Formulation {
     std::ranges::fill(out, 0.0);
   }
 
+  std::vector<Cube> cells() const override {
+    std::vector<Cube> all;
+    all.reserve(domain_.interior_voxels);
+    for (const Interval& run : domain_.intervals)
+      for (int k = run.k0; k < run.k1; ++k)
+        all.push_back({run.ix, run.iy, static_cast<std::uint16_t>(k), 1});
+    return all;
+  }
+
   Rounded round(std::span<const double> x) const override {
     Rounded rounded{VoxelSet(domain_, false)};
     for (std::size_t v = 0; v < x.size(); ++v) rounded.solid.set(v, x[v] >= 0.5);

@@ -278,6 +278,14 @@ void deformation_fields(F& f, R& r) {
   f.value("deformation/crossings", "deformation.crossings", d.crossings);
   f.value("deformation/split", "deformation.split_triangles", d.split);
   f.value("deformation/seconds", "deformation.seconds", d.seconds, "s");
+  f.late("deformation/energy", "deformation.energy", d.energy);
+  if (f.part("deformation/joint/objective", "deformation.joint", d.joint.has_value())) {
+    auto& joint = engaged<F>(d.joint);
+    f.value("deformation/joint/objective", "deformation.joint.objective", joint.objective);
+    f.value("deformation/joint/violation", "deformation.joint.violation", joint.violation, "body units");
+    f.value("deformation/joint/iterations", "deformation.joint.iterations", joint.iterations);
+    f.value("deformation/joint/variables", "deformation.joint.variables", joint.variables);
+  }
   f.rows("deformation/history", "deformation.steps", d.history, "body units", deform_columns);
   f.bulk("deformation", [&](hdf5::Group& group) { write_displacement(group, d); });
 }

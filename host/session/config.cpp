@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <set>
 
+#include "deform/deform_settings.hpp"
 #include "error.hpp"
 #include "formulation/formulation.hpp"
 #include "problem/problem.hpp"
@@ -18,7 +19,7 @@ namespace kreisel::core {
 
 const std::vector<std::string_view>& setting_groups() {
   static const std::vector<std::string_view> all = [] {
-    std::vector<std::string_view> groups = {"problem", "formulation", "solver"};
+    std::vector<std::string_view> groups = {"problem", "formulation", "solver", "deform"};
     for (const SolverEntry& solver : solvers())
       if (!solver.settings.fields().empty()) groups.push_back(solver.name);
     return groups;
@@ -83,6 +84,7 @@ std::vector<std::string> setting_names(const std::vector<std::string_view>& grou
   for (const ProblemEntry& problem : problems()) add("problem", problem.settings);
   for (const FormulationEntry& formulation : formulations()) add("formulation", formulation.settings);
   add("solver", solver_settings());
+  add("deform", deform_settings());
   for (const SolverEntry& solver : solvers()) add(solver.name, solver.settings);
   return {names.begin(), names.end()};
 }
@@ -97,6 +99,8 @@ void require_setting(const Asked& asked, std::string_view key, const std::string
     (void)find_formulation(asked.formulation).settings.read(one, group, asked.formulation);
   else if (group == "solver")
     (void)parse_solver_options(one);
+  else if (group == "deform")
+    (void)deform_settings().read(one, group, "--deform");
   else
     (void)solvers().find(group).read(one);
 }

@@ -21,6 +21,8 @@ struct DeformationReport {
   std::size_t crossings = 0;  ///< pairs of triangles that would run through each other
   std::size_t split = 0;      ///< triangles that were added, for faces too large to bend
   std::vector<DeformStep> history;
+  double energy = 0;                  ///< of the surface, as the published way weighs it: surface_energy()
+  std::optional<JointOutcome> joint;  ///< of the published way: what it ended with
   double seconds = 0;
   /// With the triangles of the deformed mesh; where nothing is kept, moved to lie as near to it as may be.
   TriangleMesh before;

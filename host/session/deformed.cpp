@@ -10,6 +10,8 @@
 
 #include "body/hydrostatics.hpp"
 #include "deform/deform.hpp"
+#include "deform/deform_cells.hpp"
+#include "deform/surface_energy.hpp"
 #include "error.hpp"
 #include "mesh/make/refine.hpp"
 #include "parse.hpp"
@@ -23,6 +25,7 @@ namespace {
 
 constexpr double longest_face = 0.05;  ///< of the body: longer ones bend in steps that show
 constexpr double blend = 0.15;         ///< of the body, over which a motion fades in around what is kept
+constexpr double extra_wall = 10;      ///< of the published way, whose wall deforms: wall a margin
 constexpr double room = 0.25;          ///< of the body, that it may grow by on every side
 
 /// Of the search: what is met with a margin there is met on finer grids. Slender bodies need more, for a flat
@@ -34,12 +37,19 @@ int cells_for(const TriangleMesh& mesh, int asked) {
   return std::min(std::max(asked, slender), std::clamp(slender, usual, most));
 }
 
+/// As published: fills of cells and handles in one optimisation.
+bool is_joint(const RunConfig& question) {
+  const Offers& offers = find_formulation(question.formulation).offers;
+  return offers.voxels || offers.refinement;
+}
+
 void require_deformable(const Stages& stages, const RunConfig& question) {
   const auto refuse = [](const std::string& what, const char* expected) {
     throw InputError(fmt::format("--deform {}; expected {}", what, expected));
   };
-  if (find_formulation(question.formulation).offers.oracle == false)
-    refuse(fmt::format("of formulation {}", question.formulation), "--formulation quadric");
+  const bool joint = is_joint(question);
+  if (!joint && !find_formulation(question.formulation).offers.oracle)
+    refuse(fmt::format("of formulation {}", question.formulation), "--formulation quadric, octree or voxel");
   const BodySpec& body = question.body;
   if (body.axle.radius) refuse("of halves on an axle", "a yo-yo without --axle");
   if (body.stem.wanted()) refuse("of a body on a stem", "one without --stem and --tip");
@@ -51,6 +61,12 @@ void require_deformable(const Stages& stages, const RunConfig& question) {
     refuse(
         fmt::format("within {}% for {} with a margin as its target", *question.deform.within, problem.name()),
         "--deform least");
+  if (joint && (question.deform.within || !question.deform.keep.empty() || problem.goal() == Goal::margin ||
+                problem.water() || problem.fixed_below()))
+    refuse(fmt::format("of formulation {} with a limit, with --keep, or for {} of what rests on its base or "
+                       "in water",
+                       question.formulation, problem.name()),
+           "--formulation quadric");
   const auto water = problem.water();
   constexpr double boat = 0.01;
   if (water && hydrostatics(stages.body->local, water->surface).dry > boat)
@@ -145,6 +161,9 @@ Deformed described(const Stages& stages, const RunConfig& question, const Body& 
   report.crossings = found.crossings;
   report.split = body.local.triangles.size() - stages.body->local.triangles.size();
   report.history = found.history;
+  report.joint = found.joint;
+  const DeformSettings settings = parse_deform_settings(settings_of(question, "deform"));
+  report.energy = surface_energy(body.local, found.local.vertices, settings.gamma_dl, settings.gamma_dv);
   report.before = to_model(body.frame, body.local);
   const TriangleMesh after = to_model(body.frame, found.local);
   lay_near(report, after, held);
@@ -182,10 +201,27 @@ bool holds(const Deformed& deformed, const RunConfig& question, const Stages& st
           run.problem().verify(outcome.moments, run.result.length_mm).ok);
 }
 
+/// @param wall  mm
+Deformation jointly_deformed(const Stages& stages, const RunConfig& question, const Body& body, double wall,
+                             const Control& control) {
+  const SolverEntry& solver = find_solver(solver_of(question), question.formulation);
+  SolverOptions options = parse_solver_options(settings_of(question, "solver"));
+  options.own = solver.read(settings_of(question, solver.name));
+  const HandledQuestion asked{question.formulation,
+                              settings_of(question, "formulation"),
+                              solver,
+                              options,
+                              question.grid.resolution,
+                              {wall, Wall::millimetres}};
+  return deform_cells(body, *stages.problem, asked, parse_deform_settings(settings_of(question, "deform")),
+                      *stages.device, control);
+}
+
 }  // namespace
 
 Deformed deformed(const Stages& stages, const RunConfig& question, const Control& control) {
   require_deformable(stages, question);
+  const bool joint = is_joint(question);
   const StopScope scope(control.stop);
   const Stopwatch watch;
   Body body = *stages.body;
@@ -194,19 +230,23 @@ Deformed deformed(const Stages& stages, const RunConfig& question, const Control
     return (a - b).squaredNorm() > most * most;
   });
   DeformOptions options;
+  options.settings = parse_deform_settings(settings_of(question, "deform"));
   options.held = held_of(stages, question.deform, side);
   if (question.deform.within) options.within = *question.deform.within / 100 * side;
   GridSpec grid = question.grid;
   grid.cells.reset();
   grid.resolution = cells_for(body.local, question.grid.resolution);
   const double wall = stages.domain->wall() * body.frame.length;
-  const ShapeRays rays = shape_rays(body, grid, {wall, Wall::millimetres}, room);
+  const std::optional<ShapeRays> rays =
+      joint ? std::nullopt : std::optional(shape_rays(body, grid, {wall, Wall::millimetres}, room));
   Deformed result;
   for (const double margin :
        {5e-3, 1.5e-2, 4e-2}) {  // a coarse grid of one's own may need more than the usual
     options.margin = margin;
-    result = described(stages, question, body, options.held != nullptr,
-                       deform(body, *stages.problem, rays, options, *stages.device, control));
+    const Deformation found =
+        joint ? jointly_deformed(stages, question, body, wall * (1 + extra_wall * margin), control)
+              : deform(body, *stages.problem, *rays, options, *stages.device, control);
+    result = described(stages, question, body, options.held != nullptr, found);
     if (!result.solid || holds(result, question, stages, control)) break;
     result.solid.reset();
     result.report.reached = Reached::nothing;

@@ -214,11 +214,28 @@ void Session::lay_out(Stages& stages, const Asked& question, const ProblemEntry&
   control.stop_if_asked();
 }
 
+namespace {
+
+/// The settings that a deformation goes by. The quadric's own solver and formulation have none of it.
+SettingTexts what_deforms(const RunConfig& question) {
+  SettingTexts all = question.settings;
+  const bool by_quadrics = find_formulation(question.formulation).offers.oracle;
+  if (by_quadrics)
+    std::erase_if(all, [](const auto& setting) {
+      return !setting.first.starts_with("problem.") && !setting.first.starts_with("deform.");
+    });
+  else
+    all.insert({{"formulation", question.formulation}, {"solver", question.solver}});
+  return all;
+}
+
+}  // namespace
+
 std::shared_ptr<Session::OfDeformed> Session::deformed(const RunConfig& question, const Stages& stages,
                                                        const Control& control) {
   return stage("deformed", deformed_,
-               {stages.pose, stages.domain, question.problem, settings_of(question, "problem"),
-                question.deform, question.grid.resolution},
+               {stages.pose, stages.domain, question.problem, what_deforms(question), question.deform,
+                question.grid.resolution},
                [&] {
                  auto made = std::make_shared<OfDeformed>();
                  made->body = kreisel::core::deformed(stages, question, control);

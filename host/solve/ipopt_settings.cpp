@@ -84,10 +84,11 @@ double natural_scale(const Task& task, const std::vector<double>& start, double 
     forms.push_back(task.problem.gradient(s));
   double largest = 0;
   const bool sizes_differ = task.formulation.refines();
-  std::vector<double> gradient(start.size());
   for (const Moments& form : forms) {
+    std::vector<double> gradient(start.size());
     task.pull_back(start, {&form, 1}, gradient);
     for (double& g : gradient) g = std::abs(g);
+    gradient.resize(start.size() - task.formulation.moving());  // what moves a body is scaled by its owner
     // Where cells differ in size by powers of two, so do their derivatives by powers of eight. What counts
     // are the many small ones.
     const auto counted = sizes_differ ? gradient.begin() + gradient.size() / 2 : gradient.end() - 1;

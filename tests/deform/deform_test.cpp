@@ -6,11 +6,13 @@
 #include <algorithm>
 
 #include "deform/bodies.hpp"
+#include "device/scoped_environment.hpp"
 #include "error.hpp"
 #include "problem/problem.hpp"
 #include "refusal.hpp"
 #include "session/deformed.hpp"
 #include "session/solved_run.hpp"
+#include "temporary_folder.hpp"
 #include "test_device.hpp"
 
 namespace kreisel::core {
@@ -74,6 +76,62 @@ TEST(Deform, MakesABodySpinThatNoInteriorLetsSpin) {
   // It is its own mirror image, and so is what it becomes, nearly: a quadric that separates to one side may
   // come without the one that separates to the other.
   EXPECT_LT(mirror_error(run.body().mesh), 0.03 * 60);
+}
+
+TEST(Deform, MovesTheCornersOfACageAsWell) {
+  const TemporaryFolder folder;
+  const ScopedEnvironment cache("KREISEL_CACHE_DIR", folder.path.string());
+  Session session(leaning(), shared_device());
+  RunConfig config = question("spin", "least");
+  config.settings["deform.handles"] = "cage";
+  SolvedRun run(session, config);
+  run.solve();
+  const DeformationReport& report = *run.result.deformation;
+  EXPECT_EQ(report.reached, Reached::all) << report.text();
+  EXPECT_LT(report.largest_percent, 25);
+  EXPECT_GT(report.energy, 0);
+  EXPECT_FALSE(report.joint);
+  EXPECT_TRUE(run.problem().verify(run.result.outcome.moments, run.result.length_mm).ok);
+}
+
+TEST(Deform, AsPublishedFindsFillsAndHandlesTogether) {
+  const TemporaryFolder folder;
+  const ScopedEnvironment cache("KREISEL_CACHE_DIR", folder.path.string());
+  Session session(leaning(), shared_device());
+  RunConfig config = question("spin", "least");
+  config.formulation = "octree";
+  config.wall = {2, Wall::millimetres};
+  SolvedRun run(session, config);
+  run.solve();
+  const DeformationReport& report = *run.result.deformation;
+  ASSERT_NE(report.reached, Reached::nothing) << report.text();
+  ASSERT_TRUE(report.joint);
+  EXPECT_LT(report.joint->violation, 1e-6);
+  EXPECT_LT(report.largest_percent, 25);
+  EXPECT_TRUE(run.result.outcome.converged());
+  EXPECT_LT(run.result.outcome.violation, 1e-6);
+  // Fills and handles have no direction of their own: a body that is its own mirror image stays one, but for
+  // what the solver leaves.
+  EXPECT_LT(mirror_error(run.body().mesh), 0.01 * 60);
+}
+
+TEST(Deform, AsPublishedTakesNoLimitAndKeepsNothing) {
+  Session session(leaning(), shared_device());
+  RunConfig config = question("spin", "least");
+  config.formulation = "octree";
+  config.wall = {2, Wall::millimetres};
+  RunConfig kept = config;
+  set_field(kept, "keep", "0,0,0,1");
+  expect_refusal([&] { SolvedRun(session, kept); }, "--deform", {"quadric"});
+  RunConfig within = config;
+  set_field(within, "deform", "5%");
+  expect_refusal([&] { SolvedRun(session, within); }, "--deform", {"quadric"});
+  RunConfig coarse = config;
+  coarse.settings["deform.grid"] = "6";
+  expect_refusal([&] { SolvedRun(session, coarse); }, "--deform at a resolution", {"deform.grid = 5"});
+  RunConfig level = config;
+  level.settings["deform.level"] = "5";
+  expect_refusal([&] { SolvedRun(session, level); }, "deform.grid", {"at least"});
 }
 
 TEST(Deform, WithinALimitMakesTheObjectiveBetter) {

@@ -49,6 +49,11 @@ void require_fineness(int fineness, int finest);
 /// @throws InputError  fineness out of range
 [[nodiscard]] TriangleMesh arrow_heart_shape(int fineness);
 
+/// Two that dance, 60 x 53.2 x 49.2 mm: one on his toes, the other bent back in his arm towards +x.
+/// @param fineness  1 to 300; below 30 as 30
+/// @throws InputError  fineness out of range
+[[nodiscard]] TriangleMesh dancers_shape(int fineness);
+
 /// Teapot of 60 x 36.2 x 34.5 mm, all solid, on a flat foot; spout towards +x, handle (genus 1) towards -x,
 /// symmetric in y.
 /// @param fineness  1 to 300; below 30 as 30
