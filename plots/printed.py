@@ -1,8 +1,10 @@
 #!/usr/bin/python3
-"""Prints parts of a list three ways, as far as G-code goes, and says which of the prints do what was asked; a table as CSV.
+"""Prints parts of a list three ways, as far as G-code goes, and says which of the prints do what was asked; a table as CSV
+and Markdown.
 
 full: the part with its voids, filled, as our profile has it. careless: the same with 15 % gyroid, which is how people
-print. infill: `--infill 15% --balance print`. What was made is left out the next time.
+print. infill: `--infill 15% --balance print`; where no interior with infill does what was asked, voids: `--balance print`
+of the first way. What was made is left out the next time.
 """
 
 import argparse
@@ -65,13 +67,35 @@ def write_sparse(profile, part, options):
     return True
 
 
+def misses(row):
+    """By how much a print misses what was asked, and whether it does it all the same."""
+    if "ok" not in row:
+        return "no interior does it"
+    told = [f"{row[name]:.2g} {unit}" for name, unit in (("off_mm", "mm"), ("tilt_degrees", "degrees"), ("mass_off_g", "g"))
+            if row.get(name) is not None and not (name == "off_mm" and row[name] == 0)]
+    return ", ".join(told + ["yes" if row["ok"] else "no"])
+
+
+def markdown(rows):
+    """A row a part: the three ways beside each other."""
+    lines = ["| part | filled | 15 % infill | balanced, 15 % in place of voids | slicings | grams | hours |", "|---|---|---|---|---|---|---|"]
+    for name in dict.fromkeys(row["name"] for row in rows):
+        ways = {row["way"]: row for row in rows if row["name"] == name}
+        balanced = "infill" if "ok" in ways.get("infill", {}) or "voids" not in ways else "voids"
+        last = ways.get(balanced, {})
+        cells = [misses(ways.get(way, {})) for way in ("full", "careless", balanced)]
+        cells[2] += " (voids)" if balanced == "voids" else ""
+        lines.append(f"| {name} | " + " | ".join(cells + [str(last.get(key, "")) for key in ("slicings", "mass_g", "hours")]) + " |")
+    return "\n".join(lines) + "\n"
+
+
 def main():
     options = arguments()
     folder = pathlib.Path(options.output)
     folder.mkdir(parents=True, exist_ok=True)
     sparse = folder / "sparse.ini"
     ways = {"full": ["--slicer", "prusa-slicer"], "careless": ["--slicer", "prusa-slicer", "--profile", sparse],
-            "infill": ["--infill", "15%", "--balance", "print"]}
+            "infill": ["--infill", "15%", "--balance", "print"], "voids": ["--slicer", "prusa-slicer", "--balance", "print"]}
     parts = [part for part in tomllib.loads(pathlib.Path(options.list).read_text())["part"]
              if not part["design"].startswith("nest") and re.search(options.only or "", part["name"])]
     rows = []
@@ -79,8 +103,11 @@ def main():
         for way, more in ways.items():
             if way == "careless" and not sparse.exists() and not write_sparse(sparse, part, options):
                 continue  # there is no print of it
+            if way == "voids" and "ok" in rows[-1]:
+                continue
             rows.append({"name": part["name"], "way": way} | made(options, part, way, more))
             print(rows[-1], flush=True)
+    (folder / "printed.md").write_text(markdown(rows), encoding="utf-8")
     with open(folder / "printed.csv", "w", newline="", encoding="utf-8") as file:
         table = csv.DictWriter(file, dict.fromkeys(key for row in rows for key in row))
         table.writeheader()
