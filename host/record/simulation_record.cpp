@@ -95,10 +95,14 @@ void spin_fields(F& f, const std::string& body, S& check) {
   f.value(file + "momentum_drift", at + "momentum_drift", motion.momentum_drift);
   f.value(file + "attitude_drift", "", motion.attitude_drift);
   f.bulk(body + "/spin", [&](hdf5::Group& group) {
-    std::vector<double> track;
-    for (std::size_t i = 0; i < motion.times.size(); ++i)
+    std::vector<double> track, attitude;
+    for (std::size_t i = 0; i < motion.times.size(); ++i) {
       track.insert(track.end(), {motion.times[i], motion.tilts[i]});
+      const Eigen::Vector4d& q = motion.states[i].attitude;  // x, y, z, w
+      attitude.insert(attitude.end(), q.begin(), q.end());
+    }
     group.write("motion", track, {motion.times.size(), 2}, {"s, degrees", {"time", "tilt"}});
+    group.write("attitude", attitude, {motion.times.size(), 4}, {"", {"x", "y", "z", "w"}});
   });
   if (f.part(file + "scan", "", !check.scan.empty()))
     f.rows(file + "scan", at + "scan", check.scan, "1/min, 1/s, degrees, degrees, s", scan_columns);

@@ -1,10 +1,10 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Words in the sentences of Markdown pages: sentences.py [--longest N] [--at-most MEDIAN] PAGE…
 
 Prints for each page, and for all of them together, how many sentences there are, the median of their words and the 90th
 percentile. Counted is what is read in one go: not headings, tables, code blocks, pictures, the targets of links, nor what
-`bench report --markdown` writes. A piece of `code` is one word. With --longest the longest sentences are printed, too; with --at-most the exit status is 1 where the median of all
-sentences is above it.
+`bench report --markdown` writes. A piece of `code` is one word. With --longest the longest sentences are printed, too. With
+--at-most the exit status is 1 where the median of all sentences is above it.
 """
 
 import argparse

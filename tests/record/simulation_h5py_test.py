@@ -26,4 +26,8 @@ with h5py.File(sys.argv[1], "r") as file:
         assert np.isclose(motion[-1, 0], at["seconds"] if np.isnan(fell) else fell)
         assert 0 <= spin.attrs["energy_drift"] < 1e-6 and 0 <= spin.attrs["momentum_drift"] < 1e-9
         assert spin["motion"].attrs["units"] == "s, degrees"
+        x, y, z, w = spin["attitude"][...].T
+        assert len(x) == len(motion) and np.allclose(x**2 + y**2 + z**2 + w**2, 1)
+        tilt = np.degrees(np.arccos(np.clip(1 - 2 * (x**2 + y**2), -1, 1)))
+        assert np.allclose(tilt, motion[:, 1], atol=1e-3), np.abs(tilt - motion[:, 1]).max()
     assert file["provenance"].attrs["commit"] and file["config"].attrs["problem"] == at["problem"]
