@@ -51,9 +51,9 @@ const std::vector<Model>& models() {
        .contact = Vec3(22.4857, 0.0953, 25.2315)},
       {.name = "dancers",
        .summary =
-           "two that dance, 60 x 53.2 x 49.2 mm, to spin about z on the toes of one of them; not as they are",
+           "two that dance, 60 x 53.1 x 49.2 mm, to spin about z on the toes of one of them; not as they are",
        .make = dancers_shape,
-       .contact = Vec3(23.5, 23.05, 0.0) * (60 / 53.95)},
+       .contact = Vec3(23.5, 23.0, 0.0) * (60 / 53.91)},
       {.name = "woven-ring",
        .summary = "ring plaited from one knotted strand, 60 x 58.9 x 13.8 mm, spins about z",
        .make = woven_ring_shape,

@@ -61,12 +61,17 @@ void require_deformable(const Stages& stages, const RunConfig& question) {
     refuse(
         fmt::format("within {}% for {} with a margin as its target", *question.deform.within, problem.name()),
         "--deform least");
-  if (joint && (question.deform.within || !question.deform.keep.empty() || problem.goal() == Goal::margin ||
-                problem.water() || problem.fixed_below()))
-    refuse(fmt::format("of formulation {} with a limit, with --keep, or for {} of what rests on its base or "
-                       "in water",
-                       question.formulation, problem.name()),
-           "--formulation quadric");
+  if (joint) {
+    const auto only_quadric = [&](bool asked, std::string_view what) {
+      if (asked)
+        refuse(fmt::format("of formulation {} {}", question.formulation, what), "--formulation quadric");
+    };
+    only_quadric(question.deform.within.has_value(), "within a limit");
+    only_quadric(!question.deform.keep.empty(), "with --keep");
+    only_quadric(problem.goal() == Goal::margin, "with a margin as its target");
+    only_quadric(problem.water().has_value(), "of what floats");
+    only_quadric(problem.fixed_below().has_value(), "of what stands on a base");
+  }
   const auto water = problem.water();
   constexpr double boat = 0.01;
   if (water && hydrostatics(stages.body->local, water->surface).dry > boat)
@@ -207,6 +212,16 @@ Deformation jointly_deformed(const Stages& stages, const RunConfig& question, co
   const SolverEntry& solver = find_solver(solver_of(question), question.formulation);
   SolverOptions options = parse_solver_options(settings_of(question, "solver"));
   options.own = solver.read(settings_of(question, solver.name));
+  const Task hollow{*stages.problem, *stages.formulation, stages.mass, *stages.device, control.stop};
+  const Outcome hollowed = solve(solver, hollow, options);
+  control.stop_if_asked();
+  if (hollowed.converged() && stages.problem->verify(hollowed.moments, body.frame.length).ok) {
+    Deformation nothing_to_do;  // it would lower the objective all the same
+    nothing_to_do.reached = Reached::all;
+    nothing_to_do.local = body.local;
+    nothing_to_do.anchor = stages.problem->anchor();
+    return nothing_to_do;
+  }
   const HandledQuestion asked{question.formulation,
                               settings_of(question, "formulation"),
                               solver,

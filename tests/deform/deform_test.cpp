@@ -162,6 +162,12 @@ TEST(Deform, LeavesABodyAsItIsThatAnInteriorLetsSpin) {
   EXPECT_EQ(run.result.deformation->largest_mm, 0);
   for (std::size_t i = 0; i < round->mesh.vertices.size(); ++i)
     EXPECT_LT((run.body().mesh.vertices[i] - round->mesh.vertices[i]).norm(), 1e-12 * 60);
+  RunConfig cells = question("spin", "least");
+  cells.formulation = "octree";
+  cells.wall = {2, Wall::millimetres};
+  const SolvedRun as_published(session, cells);
+  EXPECT_EQ(as_published.result.deformation->reached, Reached::all);
+  EXPECT_EQ(as_published.result.deformation->largest_mm, 0);
 }
 
 TEST(Deform, LeavesWhatIsKeptExactlyWhereItIs) {

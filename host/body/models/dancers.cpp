@@ -62,8 +62,9 @@ double dancers(const Vec3& p) {
 }  // namespace
 
 TriangleMesh dancers_shape(int fineness) {
-  static const Drawing drawing{dancers, {Vec3(-23.5, -23.05, 0.0), Vec3(30.45, 24.75, 44.25)},
-                               Vec3(53.95, 47.8, 44.25) * (60 / 53.95),
+  static const Drawing drawing{dancers,
+                               {Vec3(-23.5, -23.0, 0.0), Vec3(30.41, 24.71, 44.21)},
+                               Vec3(53.91, 47.71, 44.21) * (60 / 53.91),
                                0.98};
   return mesh_of(drawing, fineness);
 }

@@ -49,7 +49,7 @@ void require_fineness(int fineness, int finest);
 /// @throws InputError  fineness out of range
 [[nodiscard]] TriangleMesh arrow_heart_shape(int fineness);
 
-/// Two that dance, 60 x 53.2 x 49.2 mm: one on his toes, the other bent back in his arm towards +x.
+/// Two that dance, 60 x 53.1 x 49.2 mm: one on his toes, the other bent back in his arm towards +x.
 /// @param fineness  1 to 300; below 30 as 30
 /// @throws InputError  fineness out of range
 [[nodiscard]] TriangleMesh dancers_shape(int fineness);
