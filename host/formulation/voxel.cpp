@@ -43,8 +43,7 @@ class Voxel final : public Formulation {
     std::vector<Cube> all;
     all.reserve(domain_.interior_voxels);
     for (const Interval& run : domain_.intervals)
-      for (int k = run.k0; k < run.k1; ++k)
-        all.push_back({run.ix, run.iy, static_cast<std::uint16_t>(k), 1});
+      for (int k = run.k0; k < run.k1; ++k) all.push_back({run.ix, run.iy, static_cast<std::uint16_t>(k), 1});
     return all;
   }
 
