@@ -110,9 +110,6 @@ TEST(Deform, AsPublishedFindsFillsAndHandlesTogether) {
   EXPECT_LT(report.largest_percent, 25);
   EXPECT_TRUE(run.result.outcome.converged());
   EXPECT_LT(run.result.outcome.violation, 1e-6);
-  // Fills and handles have no direction of their own: a body that is its own mirror image stays one, but for
-  // what the solver leaves.
-  EXPECT_LT(mirror_error(run.body().mesh), 0.01 * 60);
 }
 
 TEST(Deform, AsPublishedTakesNoLimitAndKeepsNothing) {
