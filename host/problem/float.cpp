@@ -223,7 +223,8 @@ double waterline_for(const DraftSpec& draft, const Body& body, double fluid, dou
       const double submerged = fluid / body.density * body.mass_grams();
       const double most = most_displaced(body.local) / body.solid[S1] * submerged;
       if (grams < (1 - hovers) * most)
-        if (const auto waterline = waterline_of(body.local, body.solid[S1] * grams / submerged, body.cavities))
+        if (const auto waterline =
+                waterline_of(body.local, body.solid[S1] * grams / submerged, body.cavities))
           return *waterline;
       throw InputError(fmt::format(
           "problem.draft = {}: {} {} with {:.4g} g; expected less than the {:.4g} g of fluid that it can "
