@@ -306,14 +306,8 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
     design.print_balanced = spec.print.balance;
     design.found_up = std::move(found_up);
     if (printing && !infill)
-      for (const PrintPiece& piece : printing->pieces(run, design.part.solids))
-        if (!piece.cavity.triangles.empty())
-          if (const auto of_piece =
-                  measure_supports(printing->slicer(), piece.outer, piece.cavity, piece.up, control)) {
-            if (!design.supports) design.supports.emplace();
-            design.supports->in_voids += of_piece->in_voids;
-            design.supports->in_all += of_piece->in_all;
-          }
+      design.supports =
+          measure_supports(printing->slicer(), printing->pieces(run, design.part.solids), control);
     design.survives =
         survived_errors(run, design.printed ? design.printed->moments : run.result.verified.moments);
     if (!cast.empty()) control.tell("mould");

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "fabricate/verify.hpp"
+#include "file/beside.hpp"
 #include "mesh/solid/check.hpp"
 
 namespace kreisel::core {
@@ -27,9 +28,7 @@ std::vector<WrittenMould> write_moulds(const std::filesystem::path& file,
     const auto alike = std::ranges::count(cast, solid.name, &MaterialPart::name);
     const auto before = std::ranges::count(moulds, solid.name, &WrittenMould::of);
     const std::string number = alike > 1 ? fmt::format("-{}", before + 1) : "";
-    std::filesystem::path path = file;
-    path.replace_filename(
-        fmt::format("{}-{}-mould{}{}", file.stem().string(), solid.name, number, file.extension().string()));
+    const std::filesystem::path path = beside(file, fmt::format("{}-mould{}", solid.name, number));
     WrittenMould written{solid.name, solid.density, mould_of(solid.surfaces.front()), {}};
     WrittenReader reader;
     for (WrittenMaterial& part : write_parts(path, written.mould.parts)) {

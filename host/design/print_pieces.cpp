@@ -1,10 +1,9 @@
 #include "design/print_pieces.hpp"
 
-#include <fmt/format.h>
-
 #include <utility>
 
-#include "geometry/moved.hpp"
+#include "fabricate/write_halves.hpp"
+#include "file/beside.hpp"
 #include "mesh/io/encode.hpp"
 
 namespace kreisel::core {
@@ -12,11 +11,7 @@ namespace {
 
 /// The half of a piece that is above the middle of the axle, or below it.
 PrintPiece half_piece(const Body& body, const PrintPiece& whole, bool upper) {
-  Frame frame = body.frame;
-  frame.length = 1;  // millimetres along the body's axes
-  const auto half = [&](const TriangleMesh& mesh) {
-    return to_model(frame, half_of(to_body(frame, mesh), upper));
-  };
+  const auto half = [&](const TriangleMesh& mesh) { return half_along_axle(body.frame, mesh, upper); };
   PrintPiece piece = whole;
   piece.name = upper ? "upper" : "lower";
   piece.outer = half(whole.outer);
@@ -61,10 +56,7 @@ std::vector<PrintPiece> print_pieces(const Body& body, const std::vector<Materia
 }
 
 std::filesystem::path file_of_piece(const std::filesystem::path& file, const std::string& piece) {
-  if (file.empty() || piece.empty()) return file;
-  std::filesystem::path path = file;
-  path.replace_filename(fmt::format("{}-{}{}", file.stem().string(), piece, file.extension().string()));
-  return path;
+  return file.empty() || piece.empty() ? file : beside(file, piece);
 }
 
 }  // namespace kreisel::core

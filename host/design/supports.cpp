@@ -87,6 +87,20 @@ std::optional<Supports> measure_supports(const MeshSlicer& slice, const Triangle
   return Supports{std::max(hollow - solid, 0.0), hollow};
 }
 
+std::optional<Supports> measure_supports(const MeshSlicer& slice, const std::vector<PrintPiece>& pieces,
+                                         const Control& control) {
+  std::optional<Supports> all;
+  for (const PrintPiece& piece : pieces) {
+    if (piece.cavity.triangles.empty()) continue;
+    const auto one = measure_supports(slice, piece.outer, piece.cavity, piece.up, control);
+    if (!one) return std::nullopt;
+    if (!all) all.emplace();
+    all->in_voids += one->in_voids;
+    all->in_all += one->in_all;
+  }
+  return all;
+}
+
 double below_ceilings(const TriangleMesh& surface, const Vec3& up) { return Ceilings(surface).below(up); }
 
 FoundUp find_up(const MeshSlicer& slice, const TriangleMesh& outer, const TriangleMesh& cavity,

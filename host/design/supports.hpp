@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "design/print_pieces.hpp"
 #include "print/slice/slice.hpp"
 
 namespace kreisel::core {
@@ -21,6 +22,11 @@ struct Supports {
 /// @throws InputError  as MeshSlicer  @throws Interrupted
 [[nodiscard]] std::optional<Supports> measure_supports(const MeshSlicer& slice, const TriangleMesh& outer,
                                                        const TriangleMesh& cavity, const Vec3& up,
+                                                       const Control& control);
+
+/// The same of all pieces of a part that have voids, each as it is printed; nothing, too, where none has.
+[[nodiscard]] std::optional<Supports> measure_supports(const MeshSlicer& slice,
+                                                       const std::vector<PrintPiece>& pieces,
                                                        const Control& control);
 
 /// mm^3 below the ceilings of a surface, down to what is below them or to the lowest point: what supports

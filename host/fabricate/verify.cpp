@@ -8,6 +8,7 @@
 #include "body/mesh_moments.hpp"
 #include "error.hpp"
 #include "fabricate/lay_flat.hpp"
+#include "file/beside.hpp"
 #include "geometry/moved.hpp"
 #include "geometry/single_precision.hpp"
 #include "mesh/io/encode.hpp"
@@ -21,7 +22,7 @@ namespace kreisel::core {
 
 std::filesystem::path file_of_part(const std::filesystem::path& path, std::string_view name) {
   if (mesh_format(path).encode_objects || name == "part" || name == "shell") return path;
-  return path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), name, path.extension().string());
+  return beside(path, std::string(name));
 }
 
 namespace {

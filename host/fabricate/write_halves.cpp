@@ -1,7 +1,8 @@
 #include "fabricate/write_halves.hpp"
 
-#include <fmt/format.h>
+#include <utility>
 
+#include "file/beside.hpp"
 #include "mesh/io/read.hpp"
 #include "mesh/io/write.hpp"
 #include "mesh/solid/check.hpp"
@@ -9,21 +10,32 @@
 
 namespace kreisel::core {
 
+namespace {
+
+/// Millimetres along the body's axes.
+Frame in_millimetres(Frame frame) {
+  frame.length = 1;
+  return frame;
+}
+
+}  // namespace
+
+TriangleMesh half_along_axle(const Frame& frame, const TriangleMesh& mesh, bool upper) {
+  const Frame along = in_millimetres(frame);
+  return to_model(along, half_of(to_body(along, mesh), upper));
+}
+
 std::vector<std::filesystem::path> write_halves(const std::filesystem::path& file,
-                                                const std::vector<TriangleMesh>& parts, Frame frame,
+                                                const std::vector<TriangleMesh>& parts, const Frame& frame,
                                                 const Axle& axle) {
-  frame.length = 1;  // millimetres along the body's axes
   std::vector<TriangleMesh> upper, lower;
-  for (const TriangleMesh& part : parts) {
-    const TriangleMesh local = to_body(frame, part);
+  for (const TriangleMesh& part : parts)
     for (const bool above : {true, false})
-      if (TriangleMesh half = half_of(local, above); !half.triangles.empty())
-        (above ? upper : lower).push_back(to_model(frame, std::move(half)));
-  }
+      if (TriangleMesh half = half_along_axle(frame, part, above); !half.triangles.empty())
+        (above ? upper : lower).push_back(std::move(half));
   std::vector<std::filesystem::path> files;
   const auto write = [&](const char* name, const std::vector<TriangleMesh>& meshes) {
-    std::filesystem::path path = file;
-    path.replace_filename(fmt::format("{}-{}{}", file.stem().string(), name, file.extension().string()));
+    const std::filesystem::path path = beside(file, name);
     write_mesh(path, meshes);
     TriangleMesh mesh = read_mesh(path);
     (void)separate_edges(mesh);
@@ -32,7 +44,7 @@ std::vector<std::filesystem::path> write_halves(const std::filesystem::path& fil
   };
   write("upper", upper);
   write("lower", lower);
-  write("axle", {to_model(frame, axle_mesh(axle))});
+  write("axle", {to_model(in_millimetres(frame), axle_mesh(axle))});
   return files;
 }
 
