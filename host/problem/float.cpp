@@ -221,7 +221,10 @@ double waterline_for(const DraftSpec& draft, const Body& body, double fluid, dou
     case DraftSpec::solid: {
       const double grams = draft.kind == DraftSpec::solid ? body.mass_grams() + load : draft.value;
       const double submerged = fluid / body.density * body.mass_grams();
-      const double most = most_displaced(body.local) / body.solid[S1] * submerged;
+      // Under water it displaces that much. Whether it is a boat, and can displace more, is then to be seen.
+      const double most = grams < (1 - hovers) * submerged
+                              ? submerged
+                              : most_displaced(body.local) / body.solid[S1] * submerged;
       if (grams < (1 - hovers) * most)
         if (const auto waterline =
                 waterline_of(body.local, body.solid[S1] * grams / submerged, body.cavities))
