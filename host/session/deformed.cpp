@@ -206,30 +206,28 @@ bool holds(const Deformed& deformed, const RunConfig& question, const Stages& st
           run.problem().verify(outcome.moments, run.result.length_mm).ok);
 }
 
-/// @param wall  mm
-Deformation jointly_deformed(const Stages& stages, const RunConfig& question, const Body& body, double wall,
-                             const Control& control) {
+HandledQuestion handled_question(const RunConfig& question, double wall_mm) {
   const SolverEntry& solver = find_solver(solver_of(question), question.formulation);
   SolverOptions options = parse_solver_options(settings_of(question, "solver"));
   options.own = solver.read(settings_of(question, solver.name));
-  const Task hollow{*stages.problem, *stages.formulation, stages.mass, *stages.device, control.stop};
-  const Outcome hollowed = solve(solver, hollow, options);
+  return {question.formulation,     settings_of(question, "formulation"), solver, options,
+          question.grid.resolution, {wall_mm, Wall::millimetres}};
+}
+
+/// Whether the cells alone do what is asked. Handles would lower the objective all the same.
+bool hollowing_does(const Stages& stages, const HandledQuestion& asked, const Control& control) {
+  const Task task{*stages.problem, *stages.formulation, stages.mass, *stages.device, control.stop};
+  const Outcome hollowed = solve(asked.solver, task, asked.options);
   control.stop_if_asked();
-  if (hollowed.converged() && stages.problem->verify(hollowed.moments, body.frame.length).ok) {
-    Deformation nothing_to_do;  // it would lower the objective all the same
-    nothing_to_do.reached = Reached::all;
-    nothing_to_do.local = body.local;
-    nothing_to_do.anchor = stages.problem->anchor();
-    return nothing_to_do;
-  }
-  const HandledQuestion asked{question.formulation,
-                              settings_of(question, "formulation"),
-                              solver,
-                              options,
-                              question.grid.resolution,
-                              {wall, Wall::millimetres}};
-  return deform_cells(body, *stages.problem, asked, parse_deform_settings(settings_of(question, "deform")),
-                      *stages.device, control);
+  return hollowed.converged() && stages.problem->verify(hollowed.moments, stages.body->frame.length).ok;
+}
+
+Deformation as_it_is(const Stages& stages, const Body& body) {
+  Deformation nothing_to_do;
+  nothing_to_do.reached = Reached::all;
+  nothing_to_do.local = body.local;
+  nothing_to_do.anchor = stages.problem->anchor();
+  return nothing_to_do;
 }
 
 }  // namespace
@@ -254,13 +252,19 @@ Deformed deformed(const Stages& stages, const RunConfig& question, const Control
   const double wall = stages.domain->wall() * body.frame.length;
   const std::optional<ShapeRays> rays =
       joint ? std::nullopt : std::optional(shape_rays(body, grid, {wall, Wall::millimetres}, room));
+  const bool stays = joint && hollowing_does(stages, handled_question(question, wall), control);
+  const auto by_cells = [&](double margin) {
+    return deform_cells(body, *stages.problem, handled_question(question, wall * (1 + extra_wall * margin)),
+                        options.settings, *stages.device, control);
+  };
   Deformed result;
   for (const double margin :
        {5e-3, 1.5e-2, 4e-2}) {  // a coarse grid of one's own may need more than the usual
     options.margin = margin;
-    const Deformation found =
-        joint ? jointly_deformed(stages, question, body, wall * (1 + extra_wall * margin), control)
-              : deform(body, *stages.problem, *rays, options, *stages.device, control);
+    const Deformation found = stays ? as_it_is(stages, body)
+                              : joint
+                                  ? by_cells(margin)
+                                  : deform(body, *stages.problem, *rays, options, *stages.device, control);
     result = described(stages, question, body, options.held != nullptr, found);
     if (!result.solid || holds(result, question, stages, control)) break;
     result.solid.reset();
