@@ -112,7 +112,7 @@ BoundedMinimum bounded_minimum(const QuadraticForm& Q, const Vector& diagonal, c
     residual = problem.residual(y, g);
   }
   g = problem.product(y);  // what was updated has drifted
-  return {problem.unscaled(y), problem.residual(y, g), problem.products()};
+  return {problem.unscaled(y), problem.residual(y, g)};
 }
 
 }  // namespace kreisel::core

@@ -14,12 +14,11 @@ struct BoundedMinimum {
   /// The most that a step down the slope, of one entry alone and within its bounds, would move: what is left
   /// of the optimality conditions, in units of x.
   double residual = 0;
-  int products = 0;  ///< with Q
 };
 
 struct BoundedOptions {
-  double tolerance = 1e-7;  ///< of the residual
-  int most_products = 20000;
+  double tolerance = 1e-7;    ///< of the residual
+  int most_products = 20000;  ///< with Q
 };
 
 /// Minimises x^T Q x / 2 with lower <= x <= upper by conjugate gradients over the free entries, gradient

@@ -1,7 +1,6 @@
 // content_key.hpp - a name for whatever a file in a cache was made from.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 
