@@ -36,6 +36,13 @@ class Page : public ::testing::Test {
     return made;
   }
 
+  /// Writes page.html of what is designed.
+  void make_page(const std::string& asked) const {
+    const BenchAnswer a =
+        design(fmt::format("{1} -o {0}/part.stl --html {0}/page.html --force", folder_.path.string(), asked));
+    ASSERT_EQ(a.code, 0) << a.out;
+  }
+
   /// What a browser makes of a page. @param view  behind the #, as cut=0.5
   [[nodiscard]] std::string opened(const char* name, const char* view) const {
     return shell(fmt::format("timeout 300 chromium --headless --no-sandbox --use-angle=swiftshader "
@@ -93,11 +100,7 @@ TEST_F(Page, ShowsThePartAndCutsItOpen) {
 TEST_F(Page, SetsThePrintBesideThePart) {
   KREISEL_NEEDS(installed("chromium"), "chromium");
   KREISEL_NEEDS(installed("prusa-slicer"), "prusa-slicer");
-  const BenchAnswer a = design(
-      fmt::format("spin ellipsoid --size 25 --wall 1 --resolution 24 --fineness 8 --slicer prusa-slicer "
-                  "-o {0}/part.stl --html {0}/page.html --force --accept",
-                  folder_.path.string()));
-  ASSERT_EQ(a.code, 0) << a.out;
+  make_page("spin ellipsoid --size 25 --wall 1 --resolution 24 --fineness 8 --slicer prusa-slicer --accept");
   const std::string dom = opened("page", "cut=0.5");
   EXPECT_EQ(dom.find("<body data-error"), std::string::npos) << dom.substr(0, 2000);
   EXPECT_NE(dom.find("<th>solid</th><th>part</th><th>print</th>"), std::string::npos);
@@ -107,11 +110,8 @@ TEST_F(Page, SetsThePrintBesideThePart) {
 TEST_F(Page, OfADeformedBodySlidesBetweenBothShapes) {
   KREISEL_NEEDS(installed("chromium"), "chromium");
   write_mesh(folder_.path / "leaning.off", {leaning_ellipsoid({14, 16, 30}, 50, 40)});
-  const BenchAnswer a =
-      design(fmt::format("spin {0}/leaning.off --resolution 32 --wall 1.5 --deform least -o {0}/part.stl "
-                         "--html {0}/page.html --force --accept",
-                         folder_.path.string()));
-  ASSERT_EQ(a.code, 0) << a.out;
+  make_page(fmt::format("spin {}/leaning.off --resolution 32 --wall 1.5 --deform least --accept",
+                        folder_.path.string()));
   const std::string now = opened("page", "cut=0"), before = opened("page", "cut=0&shape=0");
   for (const std::string& dom : {now, before})
     EXPECT_EQ(dom.find("<body data-error"), std::string::npos) << dom.substr(0, 2000);
@@ -122,21 +122,13 @@ TEST_F(Page, OfADeformedBodySlidesBetweenBothShapes) {
 /// Of a solid under water less is known than of the part that floats.
 TEST_F(Page, IsDrawnWhereTheSolidSinks) {
   KREISEL_NEEDS(installed("chromium"), "chromium");
-  const BenchAnswer a = design(
-      fmt::format("float duck --fineness 16 --density 1.24 --draft 40% -o {0}/boat.stl --html {0}/boat.html "
-                  "--resolution 40",
-                  folder_.path.string()));
-  ASSERT_EQ(a.code, 0) << a.out;
-  EXPECT_GT(number("drawn", opened("boat", "cut=0.5")), 0);
+  make_page("float duck --fineness 16 --density 1.24 --draft 40% --resolution 40");
+  EXPECT_GT(number("drawn", opened("page", "cut=0.5")), 0);
 }
 
 TEST_F(Page, OfANestedDollTakesItApart) {
   KREISEL_NEEDS(installed("chromium"), "chromium");
-  const BenchAnswer a =
-      design(fmt::format("nest duck --fineness 12 --particles 24 --iterations 6 --cells 48 "
-                         "--printer-accuracy 1 -o {0}/doll.stl --html {0}/page.html --force",
-                         folder_.path.string()));
-  ASSERT_EQ(a.code, 0) << a.out;
+  make_page("nest duck --fineness 12 --particles 24 --iterations 6 --cells 48 --printer-accuracy 1");
   const std::string whole = opened("page", "cut=0.5"), apart = opened("page", "cut=0.5&apart=1");
   for (const std::string& dom : {whole, apart}) {
     EXPECT_EQ(dom.find("<body data-error"), std::string::npos) << dom.substr(0, 2000);

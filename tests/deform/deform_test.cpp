@@ -36,6 +36,13 @@ RunConfig question(const char* problem, const char* deform) {
 
 std::shared_ptr<device::Device> shared_device() { return {std::shared_ptr<void>(), &test_device()}; }
 
+/// What becomes of a question without a deformation.
+Termination ending_of(Session& session, const RunConfig& config) {
+  SolvedRun run(session, config);
+  run.solve();
+  return run.result.outcome.termination;
+}
+
 double mirror_error(const TriangleMesh& mesh) {
   double worst = 0;
   for (const Vec3& v : mesh.vertices) {
@@ -48,9 +55,7 @@ double mirror_error(const TriangleMesh& mesh) {
 
 TEST(Deform, MakesABodySpinThatNoInteriorLetsSpin) {
   Session session(leaning(), shared_device());
-  SolvedRun as_it_is(session, question("spin", nullptr));
-  as_it_is.solve();
-  ASSERT_EQ(as_it_is.result.outcome.termination, Termination::infeasible);
+  ASSERT_EQ(ending_of(session, question("spin", nullptr)), Termination::infeasible);
 
   SolvedRun run(session, question("spin", "least"));
   run.solve();
@@ -105,10 +110,7 @@ TEST(Deform, AsPublishedFindsFillsAndHandlesTogether) {
   config.body.size = 60;
   config.formulation = "octree";
   config.wall = {2, Wall::millimetres};
-  SolvedRun hollowed(session, config);
-  hollowed.solve();
-  ASSERT_EQ(hollowed.result.outcome.termination, Termination::infeasible);
-
+  ASSERT_EQ(ending_of(session, config), Termination::infeasible);
   set_field(config, "deform", "least");
   SolvedRun run(session, config);
   run.solve();
@@ -205,9 +207,7 @@ TEST(Deform, MakesABodyStandAndLeavesItsBaseAsItIs) {
   Session session(tower, shared_device());
   RunConfig config = question("stand", nullptr);
   config.settings["problem.target"] = "inside";
-  SolvedRun as_it_is(session, config);
-  as_it_is.solve();
-  ASSERT_EQ(as_it_is.result.outcome.termination, Termination::infeasible);
+  ASSERT_EQ(ending_of(session, config), Termination::infeasible);
   set_field(config, "deform", "least");
   SolvedRun run(session, config);
   run.solve();
