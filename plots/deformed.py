@@ -1,5 +1,12 @@
 #!/usr/bin/python3
-"""A body as it is, hollowed, and deformed and hollowed, with its axis of largest moment [SpinIt, fig. 11]."""
+"""A body as it is, hollowed, and deformed and hollowed, with its axis of largest moment [SpinIt, fig. 11].
+
+    bench --model dancers --size 60 --wall 1.2 --formulation quadric --mesh hollowed.stl
+    bench --model dancers --size 60 --wall 1.2 --formulation octree --deform least --mesh deformed.stl
+    plots/deformed.py hollowed.stl deformed.stl --contact 26.17,25.61,0
+
+Dashed: the axis that it is to spin about. Solid line: the axis of the largest moment, through the centre of mass.
+"""
 
 import argparse
 
@@ -13,8 +20,8 @@ SPIN, LARGEST = "#2a6f97", "#c1121f"
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("parts", nargs="+", help="STL of each stage, voids included")
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("parts", nargs="+", help="STL of each stage, voids included; the first one's outside is the body as it is")
     parser.add_argument("--contact", required=True, help="point x,y,z that the axis of spin (z) goes through, mm")
     parser.add_argument("-o", "--output", default="deformed.png", help="PNG to write (default %(default)s)")
     return parser.parse_args()
@@ -55,11 +62,13 @@ def stage(axes, corners, contact):
 def main():
     options = arguments()
     contact = np.array([float(v) for v in options.contact.split(",")])
-    figure, axes = plt.subplots(1, len(options.parts), figsize=(3.4 * len(options.parts), 3.6))
-    for ax, part in zip(np.atleast_1d(axes), options.parts):
-        stage(ax, models.read_stl(part), contact)
+    parts = [models.read_stl(part) for part in options.parts]
+    stages = [models.shells(parts[0])[0], *parts]
+    figure, axes = plt.subplots(1, len(stages), figsize=(3.4 * len(stages), 3.9))
+    for ax, corners in zip(axes, stages):
+        stage(ax, corners, contact)
     figure.tight_layout()
-    figure.savefig(options.output, dpi=110)
+    figure.savefig(options.output, dpi=90, bbox_inches="tight")  # titles are wider than what they stand over
 
 
 if __name__ == "__main__":

@@ -36,6 +36,24 @@ def read_stl(path):
     return np.frombuffer(data, row, count, 84)["corners"].astype(float)
 
 
+def shells(corners):
+    """Corners of the outer surface, and of all that it encloses: surfaces that hang together by equal vertices."""
+    _, vertex = np.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)
+    faces, label = vertex.reshape(-1, 3), np.arange(vertex.max() + 1)
+    while True:  # the least number among neighbours, until none changes
+        least = label[faces].min(axis=1)
+        new = label.copy()
+        np.minimum.at(new, faces.ravel(), np.repeat(least, 3))
+        new = new[new]
+        if (new == label).all():
+            break
+        label = new
+    shell = label[faces[:, 0]]
+    extent = {s: np.ptp(corners[shell == s].reshape(-1, 3), axis=0).max() for s in np.unique(shell)}
+    outer = shell == max(extent, key=extent.get)
+    return corners[outer], corners[~outer]
+
+
 def shaded(corners):
     """Grey values [PIXELS, PIXELS] of an orthographic view, NaN beside the mesh: each triangle is sampled at
     points less than a pixel apart, and the sample nearest to the eye wins."""

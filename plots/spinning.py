@@ -10,7 +10,6 @@ It takes the tip for a point; a round one is drawn where it rests on the ground.
 """
 
 import argparse
-import struct
 
 import h5py
 import numpy as np
@@ -18,6 +17,7 @@ from PIL import Image, ImageDraw, ImageFont
 from matplotlib import font_manager
 from matplotlib.colors import to_rgb
 
+import models
 import records
 import simulate
 import style
@@ -39,28 +39,6 @@ def arguments():
     parser.add_argument("--frames", type=int, default=80)
     parser.add_argument("--slow", type=float, default=16, help="how many times slower than it is (default %(default)s)")
     return parser.parse_args()
-
-
-def shells(path):
-    """Corners (n, 3, 3) of the outer surface, and of all that it encloses."""
-    with open(path, "rb") as file:
-        count = struct.unpack("<I", file.read(84)[80:])[0]
-        data = np.frombuffer(file.read(), dtype=[("n", "<f4", 3), ("v", "<f4", (3, 3)), ("a", "<u2")], count=count)
-    corners = data["v"].astype(float)
-    _, vertex = np.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)
-    faces, label = vertex.reshape(-1, 3), np.arange(vertex.max() + 1)
-    while True:  # the least number among neighbours, until none changes
-        least = label[faces].min(axis=1)
-        new = label.copy()
-        np.minimum.at(new, faces.ravel(), np.repeat(least, 3))
-        new = new[new]
-        if (new == label).all():
-            break
-        label = new
-    shell = label[faces[:, 0]]
-    extent = {s: np.ptp(corners[shell == s].reshape(-1, 3), axis=0).max() for s in np.unique(shell)}
-    outer = shell == max(extent, key=extent.get)
-    return corners[outer], corners[~outer]
 
 
 def sampled(corners, count, random):
@@ -138,7 +116,7 @@ def main():
         rotation, origin = run["body/frame_rotation"][...], run["body/frame_origin"][...]
         length = run["body"].attrs["length"]
     random = np.random.default_rng(1)
-    outer, voids = [(corners - origin) @ rotation.T / length for corners in shells(options.mesh)]
+    outer, voids = [(corners - origin) @ rotation.T / length for corners in models.shells(models.read_stl(options.mesh))]
     skin, hollow = sampled(outer, POINTS, random), sampled(voids, POINTS, random)[0]
     far = np.linalg.norm(skin[0], axis=1) > FAR
     view = View(1.04 * np.hypot(skin[0][:, 0], skin[0][:, 1]).max(), 1.12 * skin[0][:, 2].max())
