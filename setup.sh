@@ -2,6 +2,7 @@
 # Installs the Debian 12 packages that Kreisel builds and runs with; skips what is there, and uses sudo only when
 # not root.   ./setup.sh          what is needed to build, run, test and plot
 #             ./setup.sh --python and what the Python library is built with
+#             ./setup.sh --live   and what `design live` is built with
 #             ./setup.sh --ci     and what only CI needs, too (formatting, a slicer, a browser, notebooks, Slurm)
 set -euo pipefail
 
@@ -26,6 +27,7 @@ packages=(
   admesh libcgal-dev                                                  # look at written meshes, in tests alone
 )
 python=(pybind11-dev python3-dev)
+live=(libboost-dev)                                                   # HTTP and WebSockets: Boost.Beast
 ci=(clang-format prusa-slicer chromium                                # slicer and browser: 800 MB, for two tests
     python3-nbconvert python3-ipykernel
     groff-base                                                        # reads the programs' pages, for one test
@@ -33,8 +35,9 @@ ci=(clang-format prusa-slicer chromium                                # slicer a
 case "${1:-}" in
   "") ;;
   --python) packages+=("${python[@]}") ;;
-  --ci) packages+=("${python[@]}" "${ci[@]}") ;;
-  *) echo "setup.sh: unknown option '$1'; expected --python, --ci or nothing" >&2; exit 2 ;;
+  --live) packages+=("${live[@]}") ;;
+  --ci) packages+=("${python[@]}" "${live[@]}" "${ci[@]}") ;;
+  *) echo "setup.sh: unknown option '$1'; expected --python, --live, --ci or nothing" >&2; exit 2 ;;
 esac
 
 missing=()

@@ -53,7 +53,12 @@ fuzz() {
   return $wrong
 }
 
-[ $# -gt 0 ] || set -- threads sanitized extending slurm sweep islands two_nodes fuzz
+# The server of `design live` under a thousand hostile requests and tabs, and how long the page takes to follow a hand.
+live() {
+  cmake --build build/dev --target design && python3 tests/live/live_test.py build/dev/design 1000 && python3 tests/live/latency.py build/dev/design bunny 200
+}
+
+[ $# -gt 0 ] || set -- threads sanitized extending slurm sweep islands two_nodes live fuzz
 for name; do
   began=$SECONDS
   if "$name"; then ending=passed; else ending=FAILED failed=1; fi

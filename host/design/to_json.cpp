@@ -2,28 +2,13 @@
 #include <nlohmann/json.hpp>
 
 #include "design/design.hpp"
+#include "design/figures_json.hpp"
 #include "json_list.hpp"
 
 namespace kreisel::core {
 namespace {
 
 using nlohmann::json;
-
-json number(double value) { return std::isfinite(value) ? json(value) : json(); }
-
-json to_json(const Figures& f) {
-  json quality = json::object();
-  for (const auto& [name, value] : f.verdict.values) quality[name] = number(value);
-  return {{"mass_g", f.mass},
-          {"volume_mm3", f.volume},
-          {"centre_of_mass_mm", json_list(f.centre_of_mass)},
-          {"inertia_g_mm2", json_rows(f.inertia)},
-          {"principal_moments_g_mm2", json_list(f.principal)},
-          {"principal_axes", json_rows(f.axes.transpose())},
-          {"ok", f.verdict.ok},
-          {"text", f.verdict.text},
-          {"quality", quality}};
-}
 
 json to_json(const WrittenMould& written) {
   const Mould& mould = written.mould;
@@ -46,7 +31,7 @@ json to_json(const WrittenMould& written) {
 json to_json(const DeformationReport& d) {
   json history = json::array();
   for (const DeformStep& step : d.history)
-    history.push_back({{"missed", number(step.missed)}, {"largest", step.largest}, {"cuts", step.cuts}});
+    history.push_back({{"missed", json_number(step.missed)}, {"largest", step.largest}, {"cuts", step.cuts}});
   return {{"reached", to_string(d.reached)},
           {"text", d.text()},
           {"largest_mm", d.largest_mm},
@@ -58,15 +43,15 @@ json to_json(const DeformationReport& d) {
           {"volume_after_mm3", d.volume_after},
           {"least_determinant", d.least_determinant},
           {"split_triangles", d.split},
-          {"missed", number(d.missed)},
+          {"missed", json_number(d.missed)},
           {"steps", history},
           {"seconds", d.seconds}};
 }
 
 json to_json(const Residual& residual) {
-  return {{"centre_of_mass_mm", number(residual.centre_of_mass_mm)},
-          {"axis_degrees", number(residual.axis_degrees)},
-          {"mass_g", number(residual.mass_g)}};
+  return {{"centre_of_mass_mm", json_number(residual.centre_of_mass_mm)},
+          {"axis_degrees", json_number(residual.axis_degrees)},
+          {"mass_g", json_number(residual.mass_g)}};
 }
 
 json to_json(const InfillUse& use) {
@@ -101,7 +86,7 @@ json motion_of(const Sliced& sliced) {
 }
 
 json to_json(const PrintedPart& printed, const std::vector<Residual>& rounds) {
-  json j = to_json(printed.figures);
+  json j = json_of(printed.figures);
   j["constraint_residual"] = to_json(printed.residual);
   if (printed.pieces.size() == 1) j["bed_to_model"] = motion_of(printed.pieces.front().sliced);
   if (printed.pieces.size() > 1)
@@ -134,7 +119,7 @@ std::string to_json(const Design& design) {
                   {"axis", json_list(r.axis)},
                   {"contact", json_list(r.contact)},
                   {"wall_asked_mm", r.wall * r.length_mm},
-                  {"before", to_json(design.before)},
+                  {"before", json_of(design.before)},
                   {"files", json::array()},
                   {"seconds", r.whole_seconds},
                   {"peak_bytes", r.peak_bytes}};
@@ -151,7 +136,7 @@ std::string to_json(const Design& design) {
   for (const Cut& cut : r.voids.cuts)
     cuts.push_back({{"normal", json_list(cut.normal)}, {"offset", cut.offset}, {"opens", cut.opens}});
   for (const auto& file : design.files) summary["files"].push_back(file.string());
-  summary["after"] = to_json(design.after);
+  summary["after"] = json_of(design.after);
   summary["constraint_residual"] = to_json(design.residual);
   if (design.infill) summary["infill"] = to_json(*design.infill);
   if (design.printed) {
@@ -164,14 +149,14 @@ std::string to_json(const Design& design) {
   }
   summary["survives"] = json();
   if (design.survives)
-    summary["survives"] = {
-        {"flow_and_density_percent", {number(design.survives->least), number(design.survives->most)}}};
+    summary["survives"] = {{"flow_and_density_percent",
+                            {json_number(design.survives->least), json_number(design.survives->most)}}};
   if (design.weighed)
     summary["weighed"] = {{"measured_g", design.weighed->measured},
                           {"expected_g", design.weighed->expected},
                           {"density", design.weighed->density}};
-  summary["wall_mm"] = number(design.wall);
-  summary["thinnest_mm"] = number(design.thinnest.thickness);
+  summary["wall_mm"] = json_number(design.wall);
+  summary["thinnest_mm"] = json_number(design.thinnest.thickness);
   summary["thinnest_at_mm"] =
       std::isfinite(design.thinnest.thickness) ? json_list(design.thinnest.at) : json();
   summary["voids"] = r.voids.pieces;

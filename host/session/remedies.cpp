@@ -1,7 +1,6 @@
 #include "session/remedies.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -84,24 +83,28 @@ class Trials {
 
 }  // namespace
 
-std::string what_would_help(const RunConfig& config, const Body& body, const Problem& problem,
-                            device::Device& device, const Control& control) {
+std::vector<Remedy> remedies(const RunConfig& config, const Body& body, const Problem& problem,
+                             device::Device& device, const Control& control) {
   const Trials trials(config, body, problem, device, control);
-  std::vector<std::string> help;
+  std::vector<Remedy> help;
+  const auto digits = [](double value) { return fmt::format("{:.3g}", value); };
 
   const double wall =
       in_body_units(config.wall, body, make_grid(bounding_box(body.local), config.grid)) * body.frame.length;
   // Whole cells may leave too little, and a solver may see an infeasibility that is its own.
   if (trials.fits_with_wall(wall))
-    return "--formulation quadric, which meets them with the same wall on the exact domain";
+    return {{"--formulation quadric, which meets them with the same wall on the exact domain",
+             {{"formulation", "quadric"}}}};
   control.tell("try thinner walls");
   constexpr double thinnest = 0.02;  // of the wall asked for; nobody prints less
   if (const auto mm = nearest_that_fits(
           wall, thinnest * wall, [&](double w) { return trials.fits_with_wall(w); }, control))
-    help.push_back(fmt::format("a wall of {:.3g} mm or less (now {:.3g})", *mm, wall));
+    help.push_back({fmt::format("a wall of {:.3g} mm or less (now {:.3g})", *mm, wall),
+                    {{"wall", digits(cut(*mm, std::floor))}}});
 
   const auto exact = trials.domain(wall);
-  if (!exact) return help.empty() ? "there is no interior" : help.front();
+  if (!exact && help.empty()) help.push_back({"there is no interior", {}});
+  if (!exact) return help;
   const std::unique_ptr<Formulation> quadric = make_quadric(rays_of(*exact), device);
   const auto fits_with = [&](double Body::*density, double value) {
     Body other = body;
@@ -118,15 +121,17 @@ std::string what_would_help(const RunConfig& config, const Body& body, const Pro
     const auto density = nearest_that_fits(
         body.*light.density, light.least, [&](double d) { return fits_with(light.density, d); }, control);
     if (density)
-      help.push_back(fmt::format("{} of {:.3g} g/cm^3 or less (now {:.3g}; --{}-density)", light.name,
-                                 cut(*density, std::floor), body.*light.density, light.option));
+      help.push_back({fmt::format("{} of {:.3g} g/cm^3 or less (now {:.3g}; --{}-density)", light.name,
+                                  cut(*density, std::floor), body.*light.density, light.option),
+                      {{fmt::format("{}-density", light.option), digits(cut(*density, std::floor))}}});
   }
   control.tell(fmt::format("try {} of more density", heavy.name));
   const auto density = nearest_that_fits(
       body.*heavy.density, tungsten, [&](double d) { return fits_with(heavy.density, d); }, control);
   if (density)
-    help.push_back(fmt::format("{} of {:.3g} g/cm^3 or more (now {:.3g}; --{}-density)", heavy.name,
-                               cut(*density, std::ceil), body.*heavy.density, heavy.option));
+    help.push_back({fmt::format("{} of {:.3g} g/cm^3 or more (now {:.3g}; --{}-density)", heavy.name,
+                                cut(*density, std::ceil), body.*heavy.density, heavy.option),
+                    {{fmt::format("{}-density", heavy.option), digits(cut(*density, std::ceil))}}});
   if (!body.heavy_voids()) {
     control.tell("try heavy fillings");
     const auto filling = nearest_that_fits(
@@ -134,16 +139,27 @@ std::string what_would_help(const RunConfig& config, const Body& body, const Pro
         control);
     if (filling)
       help.push_back(
-          fmt::format("in place of voids, parts of the interior of {:.3g} g/cm^3 or more (the rest "
-                      "{:.3g}; --void-density)",
-                      cut(*filling, std::ceil), body.interior_density));
+          {fmt::format("in place of voids, parts of the interior of {:.3g} g/cm^3 or more (the rest "
+                       "{:.3g}; --void-density)",
+                       cut(*filling, std::ceil), body.interior_density),
+           {{"void-density", digits(cut(*filling, std::ceil))}}});
   }
   if (help.empty())
-    return fmt::format(
-        "nothing that was tried (walls down to {:.2g} mm, voids, interiors of up to {:.3g} g/cm^3): "
-        "another axis, point or base is needed",
-        thinnest * wall, tungsten);
-  return fmt::format("{}", fmt::join(help, "; or "));
+    help.push_back(
+        {fmt::format(
+             "nothing that was tried (walls down to {:.2g} mm, voids, interiors of up to {:.3g} g/cm^3): "
+             "another axis, point or base is needed",
+             thinnest * wall, tungsten),
+         {}});
+  return help;
+}
+
+std::string what_would_help(const RunConfig& config, const Body& body, const Problem& problem,
+                            device::Device& device, const Control& control) {
+  std::string sentence;
+  for (const Remedy& remedy : remedies(config, body, problem, device, control))
+    sentence += (sentence.empty() ? "" : "; or ") + remedy.text;
+  return sentence;
 }
 
 }  // namespace kreisel::core

@@ -12,6 +12,7 @@
 #include "apps/shared/step_line.hpp"
 #include "error.hpp"
 #include "file/write_text.hpp"
+#include "run/inspection_json.hpp"
 #include "stop.hpp"
 
 namespace kreisel::core::bench {
@@ -81,58 +82,6 @@ void print_solid(const SolidReport& s, double density) {
     fmt::print("  {:<10} {}: {}\n", name, verdict.ok ? "yes" : "no", verdict.text);
 }
 
-json array(const Vec3& v) { return {v[0], v[1], v[2]}; }
-
-json to_json(const ShellReport& shell) {
-  json j;
-  j["triangles"] = shell.triangles;
-  j["closed"] = shell.closed;
-  j["euler"] = shell.euler;
-  j["genus"] = shell.genus ? json(*shell.genus) : json();
-  j["volume"] = shell.volume;
-  j["depth"] = shell.depth;
-  return j;
-}
-
-json to_json(const SolidReport& s) {
-  json j;
-  j["extent_mm"] = array(s.extent);
-  j["volume_mm3"] = s.volume;
-  j["mass_g"] = s.mass;
-  j["pieces_g"] = s.pieces;
-  j["centre_of_mass_mm"] = array(s.centre);
-  j["principal_moments_g_mm2"] = array(s.principal);
-  for (int k = 0; k < 3; ++k) j["principal_axes"].push_back(array(s.axes.col(k)));
-  j["rests"] = json::array();
-  for (const RestReport& rest : s.rests)
-    j["rests"].push_back({{"up", array(rest.up)},
-                          {"probability", rest.probability},
-                          {"tilt_degrees", rest.tilt_degrees},
-                          {"area_mm2", rest.area}});
-  for (const auto& [name, verdict] : s.verdicts) {
-    json& one = j["verified"][name];
-    one["ok"] = verdict.ok;
-    one["text"] = verdict.text;
-    one["values"] = verdict.values;
-  }
-  return j;
-}
-
-json to_json(const Inspection& seen) {
-  json j;
-  j["format"] = seen.format;
-  j["vertices"] = seen.vertices;
-  j["triangles"] = seen.triangles;
-  j["checks"] = seen.checks;
-  j["checks"]["first_self_intersection"] = seen.first_crossing ? json(*seen.first_crossing) : json();
-  j["repairs"] = seen.repairs;
-  j["shells"] = json::array();
-  for (const ShellReport& shell : seen.shells) j["shells"].push_back(to_json(shell));
-  j["solid"] = seen.solid ? to_json(*seen.solid) : json();
-  j["error"] = seen.error.empty() ? json() : json(seen.error);
-  return j;
-}
-
 }  // namespace
 
 int inspect_model(const InspectOptions& options) {
@@ -145,7 +94,7 @@ int inspect_model(const InspectOptions& options) {
     control.tell("read");
     return inspect(load_source(spec), spec, control);
   }();
-  json summary = to_json(seen);
+  json summary = json_of(seen);
   summary["model"] = spec.model;
   // Names of files may be any bytes, and JSON is UTF-8.
   const std::string written = summary.dump(2, ' ', false, json::error_handler_t::replace) + "\n";

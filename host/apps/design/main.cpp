@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/design/live.hpp"
 #include "apps/design/nest.hpp"
 #include "apps/design/outputs.hpp"
 #include "apps/design/print.hpp"
@@ -23,6 +24,7 @@
 #include "print/printer/printer.hpp"
 #include "problem/problem.hpp"
 #include "session/build_info.hpp"
+#include "session/made_fields.hpp"
 
 namespace {
 
@@ -37,6 +39,7 @@ struct Parsed {
   DesignOutputs outputs;
   bool accept = false;
   NestArguments nest;
+  LiveArguments live;
 };
 
 /// @throws InputError  not "x,y,z", or zero
@@ -45,22 +48,6 @@ kreisel::core::Vec3 direction(const char* option, const std::string& text) {
   if (!given || !(given->norm() > 0))
     throw InputError(fmt::format("{} {}, expected a direction X,Y,Z", option, text));
   return *given;
-}
-
-/// How the body lies and is shaped, as far as that matters to the problem.
-std::vector<std::string_view> shape_of(const ProblemEntry& problem) {
-  if (problem.made.shape) return *problem.made.shape;
-  if (problem.upright) return {"up"};
-  return {"axis", "contact"};
-}
-
-/// Its settings, but for those that weigh the terms of f.
-std::vector<std::string> settings_of(const ProblemEntry& problem) {
-  std::vector<std::string> names;
-  for (const auto& setting : problem.settings.fields())
-    if (std::ranges::find(problem.weights, setting.name) == problem.weights.end())
-      names.push_back(fmt::format("problem.{}", setting.name));
-  return names;
 }
 
 void add_print_options(CLI::App& app, Parsed& parsed) {
@@ -138,8 +125,8 @@ void add_options(CLI::App& app, Parsed& parsed, const ProblemEntry& problem) {
   const RunKind& solve = kreisel::core::find_run_kind("solve");
   run.add_model(app);
   parsed.outputs.add(app, "the part");
-  const std::vector<std::string> settings = settings_of(problem);
-  std::vector<std::string_view> own = shape_of(problem);
+  const std::vector<std::string> settings = kreisel::core::made_settings(problem);
+  std::vector<std::string_view> own = kreisel::core::made_shape(problem);
   const bool stemmed = std::ranges::find(own, "stem") != own.end();
   own.insert(own.end(), settings.begin(), settings.end());
   run.add_some(app, {&solve}, own);
@@ -242,6 +229,9 @@ int dispatch(int argc, char** argv) {
   CLI::App* nested =
       app.add_subcommand("nest", "a nested doll: halves that come apart, around shapes as large as fit");
   add_nest_options(*nested, parsed.nest);
+  CLI::App* live = app.add_subcommand(
+      "live", "a page in the browser on which all of this is dragged, served by this program");
+  add_live_options(*live, parsed.live);
   const CLI::App* completion = add_completion(app);
   if (completes(app, argc, argv) || prints_manual(app, argc, argv)) return done;
   try {
@@ -259,6 +249,7 @@ int dispatch(int argc, char** argv) {
     return done;
   }
   if (*completion) return done;
+  if (*live) return serve_page(*live, parsed.live);
   if (*nested) return nest_parts(parsed.nest);
   const CLI::App& asked = *app.get_subcommands().front();
   return make(parsed, asked, kreisel::core::find_problem(asked.get_name()));
