@@ -14,7 +14,7 @@ measure() {  # PARTITION
   # Each compiles its kernels anew, or the second would find those of the first.
   export TMPDIR="$at/tmp-$1" XDG_CACHE_HOME="$at/cache-$1"
   mkdir -p "$folder" "$TMPDIR" "$XDG_CACHE_HOME"
-  "$build/bench" submit "$experiment" --slurm --tasks 8 --partition "$1" --results "$results" --dry-run > "$folder/job.sh"
+  "$build/bench" submit "$experiment" --slurm --tasks 16 --partition "$1" --results "$results" --dry-run > "$folder/job.sh"
   # Of what the shell has waited for; a pipe would be another shell, which has waited for nothing.
   echo "times > '$folder/'\"\$SLURM_ARRAY_TASK_ID.times\"" >> "$folder/job.sh"
   began=$(date +%s.%N)
