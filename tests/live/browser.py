@@ -13,7 +13,7 @@ from websocket import WebSocket
 
 class Browser:
     def __init__(self, url, width=1400, height=860, scheme="light"):
-        self.folder = tempfile.TemporaryDirectory()
+        self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)  # a browser may still write there
         self.process = subprocess.Popen(
             ["chromium", "--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars",
              "--remote-debugging-port=0", "--remote-allow-origins=*", f"--user-data-dir={self.folder.name}",

@@ -28,7 +28,9 @@ def asked(live, target, method="GET", **headers):
         way.putheader(name, value)
     way.endheaders()
     answer = way.getresponse()
-    return answer.status, answer.read().decode(errors="replace")
+    text = answer.read().decode(errors="replace")
+    way.close()
+    return answer.status, text
 
 
 def cube(side):
@@ -134,6 +136,45 @@ class Page(unittest.TestCase):
         self.assertFalse(tab.until("answer")[0]["coarse"])
         tab.close()
 
+    def test_what_would_help_and_where_it_can_be_done(self):
+        tab = self.live.tab()
+        tab.send("open", model="ellipsoid")
+        tab.until("opened")
+        question = {**spin, "axis": "1,0.4,0.2", "wall": "4"}
+        tab.send("ask", question=question)
+        answer = tab.until("answer")[0]
+        self.assertFalse(answer["feasible"])
+        self.assertNotEqual(answer["unmet"], "")
+        tab.send("help", question=question)
+        remedies = tab.until("help")[0]["remedies"]
+        self.assertTrue(remedies)
+        for remedy in remedies:
+            if remedy["fields"]:
+                tab.send("ask", question={**question, **remedy["fields"]})
+                self.assertTrue(tab.until("answer")[0]["feasible"], remedy)
+        tab.send("map", question=question)
+        found = tab.until("map")[0]
+        self.assertEqual(len(found["axes"]), len(found["ok"]))
+        self.assertTrue(any(found["ok"]) and not all(found["ok"]))
+        tab.close()
+
+    def test_a_copy_nests_as_far_as_something_blocks_it(self):
+        tab = self.live.tab()
+        tab.send("open", model="heart")
+        tab.until("opened")
+        tab.send("into")
+        tab.until("into")
+        tab.send("nest", question={"plane": "0,1,0"})
+        found = tab.until("nesting")[0]
+        self.assertTrue(found["valid"] and 0.1 < found["scale"] < 1, found)
+        self.assertIsNotNone(found["blocked_at"])
+        self.assertIn(found["half"], ("above", "below"))
+        tab.send("optimise", question={**found["fields"], "free": "position", "particles": "20", "iterations": "5", "seconds": "20"})
+        self.assertGreaterEqual(tab.until("optimised")[0]["scale"], found["scale"] - 1e-3)
+        tab.send("nest", question={"outer": "/etc/passwd"})
+        self.assertIn("outer", tab.until("nesting")[0]["text"])
+        tab.close()
+
     def test_a_part_is_made_and_sent(self):
         tab = self.live.tab()
         tab.send("open", model="ellipsoid")
@@ -166,8 +207,55 @@ class Page(unittest.TestCase):
         self.assertIn("expected \"open\" first", tab.until("answer")[0]["text"])
         tab.close()
 
+    def test_it_survives_whatever_is_sent(self):
+        chance = random.Random(1)
+        begin = [b"GET ", b"POST ", b"\x16\x03\x01", b"", b"GET " + self.live.path.encode(), b"GET " + b"/" * 20000]
+        for k in range(rounds):
+            with socket.create_connection(("127.0.0.1", self.live.port), 5) as way:
+                way.settimeout(0.05)
+                try:
+                    way.sendall(chance.choice(begin) + chance.randbytes(chance.choice([1, 100, 5000])) + b"\r\n\r\n")
+                    way.recv(100)
+                except OSError:
+                    pass
+            tab = self.live.tab()
+            for _ in range(3):
+                try:
+                    thing = chance.choice([b"{}", b"[[[[" * 9999, b'{"do": 3}', b'{"do":"ask","question":[]}', b'{"do":"open"}', b'{"do":"ask","moving":9}',
+                                           b'{"do":"open","model":"x.stl","sent":true}\n' + chance.randbytes(300), chance.randbytes(200), b"x" * 70000])
+                    tab.socket.send(thing if k % 2 else thing.decode("latin-1"))
+                except OSError:
+                    break
+            tab.close()
+        self.assertEqual(asked(self.live, self.live.path)[0], 200)
+
 
 class Many(unittest.TestCase):
+    def test_tabs_are_counted_and_memory_returns(self):
+        with Live(program, "ellipsoid") as live:
+            def one_tab():
+                tab = live.tab()
+                tab.send("open", model="ellipsoid")
+                tab.until("opened")
+                tab.send("ask", question=spin)
+                tab.until("certificate")
+                return tab
+            one_tab().close()
+            time.sleep(1)
+            before = live.memory()
+            tabs = [live.tab() for _ in range(rounds)]
+            for tab in tabs:
+                tab.send("hello")
+            said = [tab.until("hello")[0] for tab in tabs]
+            self.assertIn("hello", {s["do"] for s in said})
+            self.assertTrue(any("too many tabs" in s.get("text", "") for s in said))
+            for tab in tabs:
+                tab.close()
+            time.sleep(1)
+            one_tab().close()
+            time.sleep(1)
+            self.assertLess(live.memory(), before + 60e6)
+
     def test_a_tab_that_does_not_read_takes_no_more_than_its_share(self):
         with Live(program, "ellipsoid") as live:
             slow = WebSocket(live.port, live.path + "socket", {"Origin": f"http://127.0.0.1:{live.port}"})

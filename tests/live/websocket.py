@@ -77,4 +77,9 @@ class WebSocket:
                 return message.decode() if text else message
 
     def close(self):
+        """Also where another thread waits for a message: closing alone would leave the connection to it."""
+        try:
+            self.socket.shutdown(socket.SHUT_RDWR)
+        except OSError:
+            pass  # the other end was first
         self.socket.close()

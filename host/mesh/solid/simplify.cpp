@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "geometry/distance.hpp"
@@ -63,6 +64,7 @@ class Collapser {
         first_corner_(mesh.vertices.size(), none),
         next_corner_(3 * mesh.triangles.size()),
         errors_(mesh.vertices.size()),
+        tried_(mesh.vertices.size(), -1),
         first_point_(mesh.triangles.size(), none),
         next_point_(mesh.vertices.size(), none) {
     // About the middle, so that squares keep their digits.
@@ -81,12 +83,12 @@ class Collapser {
     }
   }
 
-  /// Tries each vertex once. @param most  of the mean squared distance from its planes  @return  how many
-  /// went
+  /// Tries each vertex once that may do better than the last time. @param most  of the mean squared distance
+  /// from its planes, no less than in the pass before  @return  how many went
   std::size_t pass(double most) {
     std::size_t gone = 0;
     for (Index v = 0; v < vertices_.size(); ++v) {
-      if (first_corner_[v] == none || stays_[v]) continue;
+      if (first_corner_[v] == none || stays_[v] || tried_[v] >= most) continue;
       stop_here(v);
       gather(v);
       // The two cheapest ends: what stands against one may not stand against the other.
@@ -101,6 +103,8 @@ class Collapser {
           to[1] = u, cost[1] = here;
         }
       }
+      // The same two will be in the way the next time, unless something moves.
+      tried_[v] = to[1] == none ? most : std::numeric_limits<double>::infinity();
       for (const Index u : to)
         if (u != none && may_go(v, u)) {
           collapse(v, u);
@@ -184,14 +188,16 @@ class Collapser {
     Vec3 normal;
   };
 
-  /// Whether a point lies as near to a triangle as it must. Most that do not are far from its plane.
-  [[nodiscard]] bool stands_for(const Moved& t, const Vec3& p) const {
-    const auto& [a, b, c] = t.corners;
-    // A point on the side of the normals shows that the surface has moved to the other.
-    const double height = (p - a).dot(t.normal);
-    const double allowed = height > 0 ? tolerance_.against : tolerance_.along;
-    if (height * height > allowed * allowed * t.normal.squaredNorm()) return false;
-    return stands_on_triangle(p, a, b, c, t.normal) || distance_to_triangle(p, a, b, c) <= allowed;
+  /// How far from a triangle a point may be. A point on the side of the normals shows that the surface has
+  /// moved to the other.
+  [[nodiscard]] double allowed(const Moved& t, const Vec3& p) const {
+    return (p - t.corners[0]).dot(t.normal) > 0 ? tolerance_.against : tolerance_.along;
+  }
+
+  /// Whether a point is as near to a triangle's plane as it must be to the triangle.
+  [[nodiscard]] bool near_plane(const Moved& t, const Vec3& p) const {
+    const double height = (p - t.corners[0]).dot(t.normal), most = allowed(t, p);
+    return height * height <= most * most * t.normal.squaredNorm();
   }
 
   /// Whether v may be moved to its neighbour u. Leaves in `moved_` what its triangles become, in `homes_`
@@ -222,12 +228,26 @@ class Collapser {
     return true;
   }
 
-  [[nodiscard]] bool find_home(Index p) {
-    for (const Moved& now : moved_)
-      if (stands_for(now, vertices_[p])) {
-        homes_.push_back({p, now.triangle});
+  /// Most points stand on a triangle; only for the others distances are worth their while.
+  [[nodiscard]] bool find_home(Index point) {
+    const Vec3& p = vertices_[point];
+    near_.clear();
+    for (const Moved& now : moved_) {
+      if (!near_plane(now, p)) continue;
+      const auto& [a, b, c] = now.corners;
+      if (stands_on_triangle(p, a, b, c, now.normal)) {
+        homes_.push_back({point, now.triangle});
         return true;
       }
+      near_.push_back(&now);
+    }
+    for (const Moved* now : near_) {
+      const auto& [a, b, c] = now->corners;
+      if (distance_to_triangle(p, a, b, c) <= allowed(*now, p)) {
+        homes_.push_back({point, now->triangle});
+        return true;
+      }
+    }
     return false;
   }
 
@@ -240,6 +260,7 @@ class Collapser {
       next_point_[p] = first_point_[t];
       first_point_[t] = p;
     }
+    for (const Index beside : ring_) tried_[beside] = -1;
     // Corners of v become those of u; the others of both lists have gone.
     Index* tail = &first_corner_[u];
     while (*tail != none) {
@@ -269,10 +290,12 @@ class Collapser {
   const std::vector<std::uint8_t>& stays_;
   std::vector<Index> first_corner_, next_corner_;  ///< 3 t + k; lists, one a vertex
   std::vector<PlaneErrors> errors_;
+  std::vector<double> tried_;  ///< up to which mean a vertex was tried in vain, its triangles as they are
   std::vector<Index> first_point_, next_point_;  ///< vertices that have gone, one list a triangle
   // Of the vertex at hand.
   std::vector<Index> around_, ring_;
   std::vector<Moved> moved_;
+  std::vector<const Moved*> near_;
   std::vector<Home> homes_;
 };
 
@@ -283,9 +306,14 @@ std::vector<Index> faults(const TriangleMesh& mesh, const std::function<bool(con
     for (const Index t : pair) faulty[t] = 1;
   if (keeps)
     parallel_for(faulty.size(), 256, [&](std::size_t t) {
+      const auto& [i, j, k] = mesh.triangles[t];
       const auto& [a, b, c] = corners_of(mesh, mesh.triangles[t]);
-      for (const Vec3& p : {Vec3((a + b + c) / 3), Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2)})
-        if (!keeps(p)) faulty[t] = 1;
+      // A side is asked about once for both its triangles: whichever is at fault, both are held.
+      const auto passes = [&](std::uint32_t from, std::uint32_t to, const Vec3& p, const Vec3& q) {
+        return from > to || keeps((p + q) / 2);
+      };
+      if (!keeps((a + b + c) / 3) || !passes(i, j, a, b) || !passes(j, k, b, c) || !passes(k, i, c, a))
+        faulty[t] = 1;
     });
   std::vector<Index> which;
   for (Index t = 0; t < faulty.size(); ++t)
