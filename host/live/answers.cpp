@@ -5,17 +5,14 @@
 
 #include "error.hpp"
 #include "live/answer_json.hpp"
-#include "live/surfaces.hpp"
-#include "offset/offset_surface.hpp"
 #include "stop.hpp"
 #include "stopwatch.hpp"
 
 namespace kreisel::core::live {
 namespace {
 
-constexpr int coarse_cells = 40;                        // along the longest side, while a hand moves
-constexpr double fine_voxels = 96, coarse_voxels = 48;  // of the offset surface, likewise
-constexpr double gap = 1e-3;                            // that is to be proved
+constexpr int coarse_cells = 40;  // along the longest side, while a hand moves
+constexpr double gap = 1e-3;      // that is to be proved
 
 Session session_of(const std::shared_ptr<const Source>& solid, const device::Device& device) {
   return {solid, std::make_shared<device::Device>(device.with_own_queue())};
@@ -30,7 +27,8 @@ Answers::Answers(std::shared_ptr<const Source> solid, std::string model, const d
       send_(std::move(send)),
       fine_(session_of(solid_, device)),
       coarse_(session_of(solid_, device)),
-      own_rays_(session_of(solid_, device)) {}
+      own_rays_(session_of(solid_, device)),
+      picture_(send_) {}
 
 Answers::Costly Answers::costly(const RunConfig& question) {
   BodySpec shaped;
@@ -49,14 +47,15 @@ void Answers::ask(const nlohmann::json& id, RunConfig question, bool moving, con
   SolvedRun run(session, question, control, Along::any_axis);
   if (!coarse) laid_ = costly(question);
   const std::vector<std::string_view> made = session.made();
-  run.solve(control);
+  run.decide(control);
+  if (!moving) run.explain(control);  // takes as long as many answers
   nlohmann::json answer = answer_json(run);
   answer.update({{"do", "answer"}, {"id", id}, {"moving", moving}, {"coarse", coarse}, {"made", made}});
   answer["seconds"]["all"] = whole.seconds();
-  show_body(run);  // ahead of what is drawn on it
+  picture_.show_body(run.body().mesh);  // ahead of what is drawn on it
   send_(message(answer, "answer"));
+  picture_.show_offset(run.result.wall * run.result.length_mm, moving);
   const StopScope scope(turn.newer);
-  show_offset(run, moving);
   if (!moving && run.result.outcome.converged()) certify(id, question, turn);
 }
 
@@ -66,32 +65,12 @@ void Answers::certify(const nlohmann::json& id, const RunConfig& question, const
   RunConfig asked = question;
   asked.certify = gap;
   SolvedRun run(own_rays_, asked, control, Along::own_axis);
-  run.solve(control);
+  run.decide(control);
   if (!run.result.outcome.converged()) return;
   run.certify(control);
   nlohmann::json found = certificate_json(run.result);
   found.update({{"do", "certificate"}, {"id", id}});
   send_(message(found, "certificate"));
-}
-
-void Answers::show_body(const SolvedRun& run) {
-  const TriangleMesh& mesh = run.body().mesh;
-  if (shown_body_ && shown_body_->vertices == mesh.vertices && shown_body_->triangles == mesh.triangles)
-    return;
-  shown_body_ = std::make_shared<const TriangleMesh>(mesh);
-  shown_wall_ = -1;
-  send_(surface({{"name", "body"}}, mesh));
-}
-
-void Answers::show_offset(const SolvedRun& run, bool coarse) {
-  const double wall = run.result.wall * run.result.length_mm;
-  if (wall == shown_wall_ && (coarse || !shown_coarse_)) return;
-  const double longest = bounding_box(*shown_body_).extent().maxCoeff();
-  const TriangleMesh offset =
-      offset_surface(*shown_body_, -wall, longest / (coarse ? coarse_voxels : fine_voxels));
-  shown_wall_ = wall;
-  shown_coarse_ = coarse;
-  send_(surface({{"name", "offset"}, {"wall_mm", wall}, {"coarse", coarse}}, offset));
 }
 
 }  // namespace kreisel::core::live

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "live/message.hpp"
+#include "live/picture.hpp"
 #include "live/worker.hpp"
 #include "session/solved_run.hpp"
 
@@ -35,17 +36,13 @@ class Answers {
   };
   [[nodiscard]] static Costly costly(const RunConfig& question);
   void certify(const nlohmann::json& id, const RunConfig& question, const Worker::Turn& turn);
-  void show_body(const SolvedRun& run);
-  void show_offset(const SolvedRun& run, bool coarse);
 
   std::shared_ptr<const Source> solid_;
   std::string model_;
   Send send_;
   Session fine_, coarse_, own_rays_;
-  std::optional<Costly> laid_;                      ///< of the fine session
-  std::shared_ptr<const TriangleMesh> shown_body_;  ///< that the tab has
-  double shown_wall_ = -1;                          ///< mm, of the offset surface that the tab has
-  bool shown_coarse_ = false;
+  std::optional<Costly> laid_;  ///< of the fine session
+  Picture picture_;
 };
 
 }  // namespace kreisel::core::live

@@ -84,7 +84,7 @@ class Desk {
   std::shared_ptr<Nestings> nestings_;
   std::shared_ptr<const Opened> on_bench_;  ///< these two of the working thread alone
   std::optional<Session> bench_;
-  Worker answering_, working_;  ///< the last, so that they end first
+  Worker answering_, working_{Worker::Pace::patient};  ///< the last, so that they end first
 };
 
 }  // namespace kreisel::core::live

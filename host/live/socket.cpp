@@ -24,6 +24,7 @@ class Socket : public std::enable_shared_from_this<Socket> {
   void open(HttpRequest asked) {
     asked_ = std::move(asked);
     socket_.set_option(beast::websocket::stream_base::timeout::suggested(beast::role_type::server));
+    socket_.auto_fragment(false);  // in small pieces a surface waits for a turn of the processor with each
     socket_.read_message_max(served_->setup->limits.mesh_bytes);
     socket_.async_accept(asked_, [self = shared_from_this()](beast::error_code error) {
       if (!error) self->begin();

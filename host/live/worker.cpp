@@ -1,11 +1,14 @@
 #include "live/worker.hpp"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <utility>
 
 namespace kreisel::core::live {
 
-Worker::Worker() : thread_([this](const std::stop_token& ended) { run(ended); }) {}
+Worker::Worker(Pace pace) : thread_([this, pace](const std::stop_token& ended) { run(pace, ended); }) {}
 
 Worker::~Worker() {
   thread_.request_stop();
@@ -36,7 +39,10 @@ void Worker::give_up(const std::vector<std::string_view>& kinds) {
   newer_.request_stop();
 }
 
-void Worker::run(const std::stop_token& ended) {
+void Worker::run(Pace pace, const std::stop_token& ended) {
+  // Of Linux threads each has a priority, and gives it to those that it starts.
+  constexpr int behind_others = 10;
+  if (pace == Pace::patient) ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), behind_others);
   std::unique_lock lock(mutex_);
   while (more_.wait(lock, ended, [&] { return !waiting_.empty(); })) {
     if (ended.stop_requested()) return;

@@ -23,8 +23,10 @@ class Worker {
     std::stop_token newer;   ///< that, or another job waits: for what is only worth it at rest
   };
   using Job = std::function<void(const Turn&)>;
+  /// Whether somebody waits for each job, or others that run are to have the processor first.
+  enum class Pace { prompt, patient };
 
-  Worker();
+  explicit Worker(Pace pace = Pace::prompt);
   /// Asks the job under way to stop, and waits for it.
   ~Worker();
   Worker(const Worker&) = delete;
@@ -42,7 +44,7 @@ class Worker {
     std::string kind;
     Job job;
   };
-  void run(const std::stop_token& ended);
+  void run(Pace pace, const std::stop_token& ended);
 
   std::mutex mutex_;
   std::condition_variable_any more_;

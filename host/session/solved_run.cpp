@@ -85,7 +85,7 @@ void SolvedRun::deform(Session& session, const Control& control, Along rays) {
   stages_.opening_seconds = opening;
 }
 
-void SolvedRun::solve(const Control& control) {
+void SolvedRun::decide(const Control& control) {
   result.infeasibility = problem().impossible();
   if (!result.infeasibility.empty()) {
     result.outcome = {};
@@ -101,7 +101,10 @@ void SolvedRun::solve(const Control& control) {
     return;
   }
   repeat_solve(control);
-  if (result.outcome.termination != Termination::infeasible) return;
+}
+
+void SolvedRun::explain(const Control& control) {
+  if (result.outcome.termination != Termination::infeasible || !result.infeasibility.empty()) return;
   control.tell("look for what cannot be met");
   result.infeasibility =
       explain_infeasible(*solver_, task(), options_, BodyUnits{result.length_mm, result.mass_unit_grams});

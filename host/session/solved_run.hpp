@@ -22,7 +22,14 @@ class SolvedRun {
   /// @throws InputError   settings that do not fit
   /// @throws Interrupted  before there was a result
   /// @throws MemoryError  the solver has too little
-  void solve(const Control& control = {});
+  void solve(const Control& control = {}) {
+    decide(control);
+    explain(control);
+  }
+  /// The first half of that: whether and how, not why not.
+  void decide(const Control& control = {});
+  /// The other half: what cannot be met, where the result is infeasible. May take as long as many solves.
+  void explain(const Control& control = {});
   /// Where the result is infeasible: what would help. May take many solves. @throws Interrupted
   void look_for_remedies(const Control& control = {});
   /// Bounds what there is to gain, to result.config.certify. Where that finds a better interior than a solver

@@ -1,4 +1,5 @@
-"""From what somebody does to the drawn numbers, in a browser: latency.py DESIGN [MODEL [SAMPLES]]. Medians, in milliseconds."""
+"""From what somebody does to its numbers, in a browser: latency.py DESIGN [MODEL [SAMPLES]]. Medians, in milliseconds: until they
+are written into the page, and until the browser has drawn them, which is also what else it draws at that time."""
 
 import statistics
 import sys
@@ -17,6 +18,13 @@ moves = {
     "contact": ("spin", "kreisel.set('contact', kreisel.answer.contact.map((v, i) => v + 0.01 * Math.sin(9 * k + i)).join(','), true)"),
     "wall": ("spin", "kreisel.set('wall', (1.2 + k).toFixed(4), true)"),
 }
+
+
+def tell(name, taken):
+    written, drawn = (statistics.median(t[key] for t in taken) for key in ("written", "ms"))
+    late = sorted(t["ms"] for t in taken)[int(0.9 * len(taken))]
+    print(f"{name}: written {written:.1f} ms, drawn {drawn:.1f} ms (medians of {len(taken)}), 9 of 10 drawn within {late:.1f}")
+
 
 began = time.monotonic()
 with Live(program, model, "--resolution", "96") as live, Browser(live.url, 900 + 640, 700 + 50) as browser:
@@ -43,11 +51,11 @@ with Live(program, model, "--resolution", "96") as live, Browser(live.url, 900 +
               const k = i / {count}, before = kreisel.times.length;
               {move};
               while (kreisel.times.length === before) await new Promise(done => setTimeout(done, 1));
-              taken.push(kreisel.times[kreisel.times.length - 1].ms);
+              taken.push(kreisel.times[kreisel.times.length - 1]);
             }}
             return taken;
           }})()""")
-        print(f"{name}: median {statistics.median(taken):.1f} ms of {len(taken)}, 9 of 10 within {sorted(taken)[int(0.9 * len(taken))]:.1f}")
+        tell(name, taken)
     rest = browser.js("""(async () => {
         const before = kreisel.times.length;
         kreisel.set('wall', '1.7', false);
@@ -67,4 +75,4 @@ with Live(program, model, "--resolution", "96") as live, Browser(live.url, 900 +
         }}
         return taken;
       }})()""")
-    print(f"nesting: median {statistics.median(taken):.1f} ms of {len(taken)}, 9 of 10 within {sorted(taken)[int(0.9 * len(taken))]:.1f}")
+    tell("nesting", taken)

@@ -34,6 +34,7 @@ const link = new Link({
     framed = false;
     if (said.trouble) {
       showTrouble(said.trouble);
+      startDrawing();
       scene.cavity(null);
       if (said.trouble.includes('unit')) askUnit(said.model);
       return;
@@ -63,6 +64,7 @@ const link = new Link({
     element('make').disabled = !said.feasible;
     if (!framed && scene.body.visible) frame();
     measure(said);
+    startDrawing();
   },
   certificate(said) { if (said.id === latest) showProof(said); },
   into() {
@@ -72,6 +74,7 @@ const link = new Link({
       scene.frame(new THREE.Vector3(0, 0, 1));
     }
     nest.ready();
+    startDrawing();
   },
   nesting: said => nest.show(said),
   better: said => nest.show(said, true),
@@ -91,6 +94,7 @@ const link = new Link({
   made: said => parts.done(said),
   error(said) {
     busy('');
+    startDrawing();
     if (parts.failed(said)) return;
     showTrouble(said.text);
   },
@@ -99,6 +103,9 @@ const link = new Link({
     element('make').disabled = true;
   },
 });
+
+// After what was said is on the page.
+const startDrawing = () => requestAnimationFrame(() => setTimeout(() => scene.start(), 0));
 
 const motion = scene.motion = new Motion(scene);
 const parts = new Parts(element('parts'), link);
@@ -109,7 +116,8 @@ const nest = new Nest(scene, link, said => {
   if (said.do !== 'nesting' || nest.sent === null) return;
   const began = nest.sent;
   nest.sent = null;
-  requestAnimationFrame(() => setTimeout(() => nestTimes.push(performance.now() - began), 0));
+  const written = performance.now() - began;
+  requestAnimationFrame(() => setTimeout(() => nestTimes.push({written, ms: performance.now() - began}), 0));
 });
 
 const marks = new Marks(scene, {
@@ -128,13 +136,14 @@ function frame() {
   scene.frame(new THREE.Vector3(...answer.axis));
 }
 
-// From when somebody did something to when its numbers are drawn.
+// From when somebody did something to when its numbers are written into the page, and to when the browser has drawn them.
 const times = [];
 function measure(said) {
   const began = sent.get(said.id);
   for (const id of sent.keys()) if (id <= said.id) sent.delete(id);
   if (began === undefined) return;
-  requestAnimationFrame(() => setTimeout(() => times.push({what: began.what, ms: performance.now() - began.at, coarse: said.coarse, moving: said.moving}), 0));
+  const written = performance.now() - began.at;
+  requestAnimationFrame(() => setTimeout(() => times.push({what: began.what, written, ms: performance.now() - began.at, coarse: said.coarse, moving: said.moving}), 0));
 }
 
 function ask(moving, what = '') {

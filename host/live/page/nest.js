@@ -48,29 +48,29 @@ export class Nest {
   close() {
     this.group.visible = false;
     this.link.ask('stop');
-    this.scene.body.visible = true;
-    this.scene.redraw();
+    this.scene.showSolid(true);
   }
   // Both shapes are here.
   ready() {
-    this.halves.forEach(half => { half.geometry = this.scene.body.geometry; });
+    this.scene.give(this.halves, this.scene.body.surface.whole);
     this.ask(false);
   }
   surface(geometry) {
-    this.inner.geometry = geometry;
+    this.scene.give([this.inner], geometry);
     geometry.computeBoundingSphere();
   }
 
   ask(moving) {
     this.sent = performance.now();
+    this.moving = moving;
     this.link.ask('nest', {question: this.field, moving});
   }
   optimise(free, seconds) { this.link.ask('optimise', {question: {...this.field, free, seconds: String(seconds), particles: '60'}}); }
 
   show(answer, follow = false) {
     this.answer = answer;
+    if (!this.group.visible) this.scene.showSolid(false);
     this.group.visible = true;
-    this.scene.body.visible = false;
     if (follow) this.field = {...answer.fields};
     const [x, y, z] = answer.transform;
     this.inner.matrix.set(...x, ...y, ...z, 0, 0, 0, 1);
@@ -80,7 +80,7 @@ export class Nest {
     if (!this.field.centroid) this.field = {...answer.fields};
     this.block.visible = Boolean(answer.blocked_at);
     if (answer.blocked_at) this.block.position.copy(vector(answer.blocked_at));
-    this.scene.redraw(Boolean(this.held));
+    this.scene.redraw(follow || this.moving);
     this.told(answer);
   }
   apart(share) {

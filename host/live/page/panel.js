@@ -1,11 +1,26 @@
 // What came of a question, in numbers and words.
 
 const element = id => document.getElementById(id);
-const row = (cells, tag = 'td') => {
-  const made = document.createElement('tr');
-  made.append(...cells.map(text => Object.assign(document.createElement(tag), {textContent: text})));
-  return made;
-};
+const write = (place, text) => { if (place.textContent !== text) place.textContent = text; };
+
+// Rows of texts, the first a head where `headed`. Cells that are there are written anew: while a hand moves, little is laid out.
+function fill(table, rows, headed) {
+  while (table.rows.length > rows.length) table.deleteRow(-1);
+  rows.forEach((texts, k) => {
+    const row = table.rows[k] ?? table.insertRow();
+    while (row.cells.length > texts.length) row.deleteCell(-1);
+    while (row.cells.length < texts.length) row.append(document.createElement(headed && k === 0 ? 'th' : 'td'));
+    texts.forEach((text, i) => write(row.cells[i], text));
+  });
+}
+
+function judge(ok, head, text) {
+  const verdict = element('verdict');
+  verdict.className = ok ? 'yes' : 'no';
+  if (!verdict.firstChild) verdict.append(document.createElement('b'), document.createElement('span'));
+  write(verdict.firstChild, head);
+  write(verdict.lastChild, text);
+}
 
 // Behind names: what the number is in.
 const units = [[/_g_mm2$/, 'g mm²'], [/_mm2$/, 'mm²'], [/_mm3$/, 'mm³'], [/_mm$/, 'mm'], [/_rpm$/, '1/min'], [/_degrees$/, '°'], [/_g$/, 'g'], [/_seconds$/, 's']];
@@ -18,33 +33,25 @@ const list = values => values.map(v => number(Math.abs(v) < 5e-4 ? 0 : Number(v.
 
 // kept: another answer, beside this one; or null.
 export function showAnswer(answer, kept) {
-  const of = answer.part ?? answer.solid, verdict = element('verdict');
+  const of = answer.part ?? answer.solid;
   const ok = Boolean(answer.part?.ok), [head, ...rest] = of.text.split(': ');
-  verdict.className = ok ? 'yes' : 'no';
-  verdict.replaceChildren(
-    Object.assign(document.createElement('b'), {textContent: answer.part ? `${ok ? '✓' : '✗'} ${head}` : '✗ no interior does it'}),
-    Object.assign(document.createElement('span'), {textContent: answer.part ? rest.join(': ') : answer.unmet}));
+  judge(ok, answer.part ? `${ok ? '✓' : '✗'} ${head}` : '✗ no interior does it', answer.part ? rest.join(': ') : answer.unmet);
   const rows = [['mass, g', f => number(f.mass_g)], ['centre of mass, mm', f => list(f.centre_of_mass_mm)],
     ['principal moments, g mm²', f => f.principal_moments_g_mm2.map(number).join(', ')],
     ...Object.keys(of.quality).map(name => [named(name), f => number(f.quality[name])])];
   const columns = [['solid', answer.solid], ['part', answer.part], ['kept', kept?.part ?? kept?.solid]].filter(([, f]) => f);
-  element('numbers').replaceChildren(row(['', ...columns.map(([name]) => name)], 'th'),
-    ...rows.map(([name, text]) => row([name, ...columns.map(([, f]) => text(f))])));
+  fill(element('numbers'), [['', ...columns.map(([name]) => name)], ...rows.map(([name, text]) => [name, ...columns.map(([, f]) => text(f))])], true);
 }
 
 export function showNesting(said) {
-  const verdict = element('verdict');
-  verdict.className = said.valid === false ? 'no' : 'yes';
-  verdict.replaceChildren(
-    Object.assign(document.createElement('b'), {textContent: said.valid === false ? '✗ nothing nests here' : `✓ up to scale ${said.scale.toFixed(4)}`}),
-    Object.assign(document.createElement('span'), {textContent: said.text ? `beyond it: ${said.text}` : ''}));
-  element('numbers').replaceChildren(...Object.entries(said.fields).map(([name, value]) => row([name, value.split(/[, ]/).map(v => number(Number(v))).join(', ')])));
-  for (const place of ['help', 'proof']) element(place).replaceChildren();
+  judge(said.valid !== false, said.valid === false ? '✗ nothing nests here' : `✓ up to scale ${said.scale.toFixed(4)}`, said.text ? `beyond it: ${said.text}` : '');
+  fill(element('numbers'), Object.entries(said.fields).map(([name, value]) => [name, value.split(/[, ]/).map(v => number(Number(v))).join(', ')]));
+  for (const place of ['help', 'proof']) if (element(place).firstChild) element(place).replaceChildren();
 }
 
 export function showProof(said) {
-  element('proof').textContent = !said ? '' : said.gap === null ? 'how good the best could be is not proved' :
-    `proved: no interior is more than ${number(100 * said.gap)} % better`;
+  write(element('proof'), !said ? '' : said.gap === null ? 'how good the best could be is not proved' :
+    `proved: no interior is more than ${number(100 * said.gap)} % better`);
 }
 
 const plural = (n, one, more = `${one}s`) => `${n.toLocaleString('en')} ${n === 1 ? one : more}`;

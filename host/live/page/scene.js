@@ -1,5 +1,6 @@
 // What is seen: the solid, its cavity, and what is drawn on them.
 import {counting, roots, skin, walls} from './shaders.js';
+import {lighter} from './lighter.js';
 import {Orbit} from './orbit.js';
 
 export const colours = {
@@ -31,12 +32,7 @@ export class Scene {
     this.scene = new THREE.Scene();
     this.counted = new THREE.Scene();
     this.onDraw = [];
-    this.slow = false;
-    const context = canvas.getContext('webgl2', {antialias: !isSoftware(), alpha: false});
-    if (!context || !context.getExtension('EXT_color_buffer_float')) throw new Error('this browser draws no WebGL 2 with floating-point targets');
-    this.gl = context;
-    this.renderer = new THREE.WebGLRenderer({canvas, context});
-    this.renderer.autoClear = false;
+    this.given = new Set();
     this.counts = new THREE.WebGLRenderTarget(1, 1, {type: THREE.HalfFloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter, depthBuffer: false, stencilBuffer: false});
     this.shared = {
       toBody: {value: new THREE.Matrix4()}, q1: {value: new THREE.Vector4()}, q2: {value: new THREE.Vector3()}, q3: {value: new THREE.Vector3()},
@@ -46,6 +42,17 @@ export class Scene {
     };
     this.build();
     new ResizeObserver(() => this.redraw()).observe(canvas);
+  }
+
+  // Begins to draw. That takes a second where the processor draws, so numbers may come first.
+  start() {
+    if (this.gl) return;
+    this.slow = isSoftware();
+    const context = this.gl = this.canvas.getContext('webgl2', {antialias: !this.slow, alpha: false});
+    if (!context || !context.getExtension('EXT_color_buffer_float')) throw new Error('this browser draws no WebGL 2 with floating-point targets');
+    this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, context});
+    this.renderer.autoClear = false;
+    this.redraw(true);
   }
 
   material(shader, own, settings) {
@@ -66,7 +73,9 @@ export class Scene {
     this.screen = mesh(this.material(roots), 1);
     this.screen.geometry = new THREE.PlaneBufferGeometry(2, 2);
     this.screen.visible = true;
-    this.scene.add(this.walls, this.screen, this.body);
+    this.cavityParts = new THREE.Group();
+    this.cavityParts.add(this.walls, this.screen);
+    this.scene.add(this.cavityParts, this.body);
     this.counted.add(this.countedBody, this.countedOffset);
     this.marks = new THREE.Group();
     this.marks.renderOrder = 5;
@@ -76,14 +85,33 @@ export class Scene {
   surface(said, bytes) {
     const meshes = {body: [this.body, this.countedBody], offset: [this.walls, this.countedOffset]}[said.name];
     const geometry = geometryOf(said, bytes);
-    meshes[0].geometry.dispose();
-    for (const mesh of meshes) Object.assign(mesh, {geometry, visible: said.triangles > 0});
+    this.give(meshes, geometry);
+    for (const mesh of meshes) mesh.visible = said.triangles > 0;
     if (said.name === 'body') {
       this.walls.visible = this.countedOffset.visible = false;
       this.shared.middle.value.copy(geometry.boundingSphere.center);
       this.box = geometry.boundingBox;
     }
-    this.redraw();
+    this.redraw(true);
+  }
+
+  // What meshes show, and a lighter one instead while a slow picture moves.
+  give(meshes, geometry) {
+    const surface = {whole: geometry, light: null};
+    for (const mesh of meshes) {
+      const before = mesh.surface;
+      mesh.surface = surface;
+      mesh.geometry = geometry;
+      this.given.add(mesh);
+      if (before && ![...this.given].some(other => other.surface === before)) for (const old of [before.whole, before.light]) old?.dispose();
+    }
+  }
+  weigh(light) {
+    for (const mesh of this.given) {
+      const surface = mesh.surface;
+      if (light && !surface.light) surface.light = surface.whole.index.count > 3 * 12000 ? lighter(surface.whole) : surface.whole;
+      mesh.geometry = light ? surface.light : surface.whole;
+    }
   }
 
   // Shows the body with `up` upwards.
@@ -108,6 +136,12 @@ export class Scene {
       shared.voidSign.value = answer.void_where === 'positive' ? 1 : -1;
     }
     if (answer) shared.interiorColour.value = rgb(answer.interior_density === answer.density ? colours.shell : colours.interior);
+    this.redraw(Boolean(answer?.moving));
+  }
+
+  // Shows the solid and its cavity; or neither, where another tool shows its own.
+  showSolid(on) {
+    this.body.visible = this.cavityParts.visible = this.counted.visible = on;
     this.redraw();
   }
 
@@ -158,8 +192,10 @@ export class Scene {
   }
 
   drawNow() {
+    if (!this.renderer) return;
     const began = performance.now();
-    const canvas = this.canvas, camera = this.orbit.place(), ratio = this.moving && this.slow ? 0.5 : Math.min(devicePixelRatio, 2);
+    const canvas = this.canvas, camera = this.orbit.place(), light = Boolean(this.moving && this.slow), ratio = light ? 0.36 : Math.min(devicePixelRatio, 2);
+    this.weigh(light);
     const width = Math.max(Math.round(canvas.clientWidth * ratio), 1), height = Math.max(Math.round(canvas.clientHeight * ratio), 1);
     if (canvas.width !== width || canvas.height !== height) {
       this.renderer.setSize(width, height, false);
