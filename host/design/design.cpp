@@ -15,6 +15,7 @@
 #include "error.hpp"
 #include "fabricate/cut_part.hpp"
 #include "fabricate/lay_flat.hpp"
+#include "fabricate/loose_pieces.hpp"
 #include "fabricate/wall.hpp"
 #include "geometry/moved.hpp"
 #include "geometry/rotation.hpp"
@@ -313,6 +314,7 @@ Design make_asked(Session& session, const DesignSpec& spec, const Control& contr
     if (!cast.empty()) control.tell("mould");
     if (!cast.empty()) design.moulds = write_moulds(spec.file, cast);
     design.cuts = finishing.planes();
+    if (!design.cuts.empty()) design.pieces = loose_pieces(design.part.solids);
     design.drains = finishing.drains();
     design.drain_radius = spec.drain_radius;
     control.tell("measure the walls");

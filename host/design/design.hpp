@@ -48,15 +48,16 @@ struct DesignSpec {
 struct Design {
   std::map<std::string, std::string> config;  ///< describe()
   RunResult run;
-  PartMeshes part;            ///< model coordinates, mm; no cavity where the problem is infeasible
-  Figures before, after;      ///< the solid; the part, from the files as read again
-  Residual residual{};        ///< of the part
-  double wall = 0;            ///< least of the part, mm; infinite without a cavity
-  ThinPlace thinnest{0};      ///< of its material, walls and webs between voids
-  double printer_accuracy;    ///< as asked, mm
-  std::vector<Plane> cuts;    ///< by which it was cut
-  std::vector<Drain> drains;  ///< holes into voids
-  double drain_radius = 0;    ///< as asked, mm; 0: none
+  PartMeshes part;             ///< model coordinates, mm; no cavity where the problem is infeasible
+  Figures before, after;       ///< the solid; the part, from the files as read again
+  Residual residual{};         ///< of the part
+  double wall = 0;             ///< least of the part, mm; infinite without a cavity
+  ThinPlace thinnest{0};       ///< of its material, walls and webs between voids
+  double printer_accuracy;     ///< as asked, mm
+  std::vector<Plane> cuts;     ///< by which it was cut
+  std::vector<double> pieces;  ///< mm^3, that lie loose then, the largest first
+  std::vector<Drain> drains;   ///< holes into voids
+  double drain_radius = 0;     ///< as asked, mm; 0: none
   std::vector<WrittenMould> moulds;
   std::optional<InfillUse> infill;     ///< in place of voids
   std::optional<PrintedPart> printed;  ///< where a slicer was asked for

@@ -165,6 +165,7 @@ std::string to_json(const Design& design) {
   summary["cut_by"] = json::array();
   for (const Plane& cut : design.cuts)
     summary["cut_by"].push_back({{"normal", json_list(cut.normal)}, {"offset", cut.offset}});
+  summary["pieces_mm3"] = design.pieces;
   summary["moved_mm"] =
       json_list(r.verified.materials.empty() ? Vec3(Vec3::Zero()) : r.verified.materials.front().moved);
   summary["triangles"] = r.verified.triangles;

@@ -118,6 +118,29 @@ void print_printed(const Design& d) {
   if (!d.print_balanced) fmt::print("             {}\n", printed.figures.verdict.text);
 }
 
+/// Whether a plane runs through the point of a peg, model coordinates.
+bool cuts_point(const Plane& cut, const Stem& stem, const RunResult& r) {
+  const double begin = cut.above(r.contact), along = cut.normal.dot(r.axis),
+               end = begin + along * (stem.tip_height + 2 * stem.radius);
+  const double across = stem.radius * std::sqrt(std::max(0.0, cut.normal.squaredNorm() - along * along));
+  return begin * end <= 0 || std::min(std::abs(begin), std::abs(end)) < across;
+}
+
+void print_pieces(const Design& d) {
+  if (d.pieces.empty()) return;
+  constexpr std::size_t most = 6;
+  std::string sizes;
+  for (std::size_t k = 0; k < std::min(most, d.pieces.size()); ++k)
+    sizes += fmt::format("{}{:.3g}", k > 0 ? ", " : "", 1e-3 * d.pieces[k]);
+  fmt::print("  pieces     {} loose ones, to be glued: {}{} cm^3\n", d.pieces.size(), sizes,
+             d.pieces.size() > most ? " and smaller" : "");
+  const auto stem = stem_of(d.run.config.body.stem);
+  if (stem && std::ranges::any_of(d.cuts, [&](const Plane& cut) { return cuts_point(cut, *stem, d.run); }))
+    fmt::print(
+        "  pieces     a cut runs through the peg's point: --cut NX,NY,NZ,D with another plane leaves it "
+        "whole, and so does a print with sparse infill (--infill 15% --balance print)\n");
+}
+
 /// What a printer's and a filament's errors do to it.
 void print_errors(const Design& d) {
   if (d.weighed)
@@ -180,6 +203,9 @@ void print_design(const Design& d) {
     return;
   }
   if (!d.pose.empty()) fmt::print("  pose       {}\n", d.pose);
+  if (const auto stem = stem_of(r.config.body.stem))
+    fmt::print("  peg        of {:.3g} mm radius along the axis; it stands on its point, at {} mm\n",
+               stem->radius, text(r.contact, 2));
   print_table(d);
   fmt::print("  misses     {}\n", residual_text(d.residual));
   if (d.printed) print_printed(d);
@@ -192,6 +218,7 @@ void print_design(const Design& d) {
     print_infill(d);
   else
     fmt::print("  voids      {}\n", r.voids.text());
+  print_pieces(d);
   for (const Drain& drain : d.drains)
     fmt::print("  drain      from {} mm along {}\n", text(drain.from, 2), text(drain.along, 3));
   if (d.drain_radius > 0 && d.drains.size() < r.voids.pieces.size())
