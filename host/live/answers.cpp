@@ -48,15 +48,19 @@ void Answers::ask(const nlohmann::json& id, RunConfig question, bool moving, con
   if (!coarse) laid_ = costly(question);
   const std::vector<std::string_view> made = session.made();
   run.decide(control);
-  if (!moving) run.explain(control);  // takes as long as many answers
   nlohmann::json answer = answer_json(run);
   answer.update({{"do", "answer"}, {"id", id}, {"moving", moving}, {"coarse", coarse}, {"made", made}});
   answer["seconds"]["all"] = whole.seconds();
   picture_.show_body(run.body().mesh);  // ahead of what is drawn on it
   send_(message(answer, "answer"));
   picture_.show_offset(run.result.wall * run.result.length_mm, moving);
+  if (moving) return;
   const StopScope scope(turn.newer);
-  if (!moving && run.result.outcome.converged()) certify(id, question, turn);
+  if (run.result.outcome.converged()) certify(id, question, turn);
+  if (run.result.outcome.termination == Termination::infeasible) {  // why takes as long as many answers
+    run.explain({turn.newer, {}});
+    send_(message({{"do", "unmet"}, {"id", id}, {"text", run.result.infeasibility}}, "unmet"));
+  }
 }
 
 /// Certificates know problems in the frame of their own rays alone.

@@ -18,7 +18,7 @@ class Answers {
  public:
   Answers(std::shared_ptr<const Source> solid, std::string model, const device::Device& device, Send send);
 
-  /// Sends the answer, then what of the picture changed; at rest the certificate, too.
+  /// Sends the answer and what of the picture changed; at rest the certificate, too, or what cannot be met.
   /// @param id      that the answer repeats
   /// @param moving  a hand moves: another question follows
   /// @throws InputError, Interrupted, MemoryError

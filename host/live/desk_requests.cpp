@@ -31,7 +31,7 @@ void Desk::hello(Request request) {
                  {"id", request.id()},
                  {"version", build_info::version},
                  {"commit", build_info::commit},
-                 {"model", setup_->given ? models.front() : ""},
+                 {"model", first_of(*setup_)},
                  {"models", models},
                  {"requests", names()},
                  {"problems", problems_json()},

@@ -22,6 +22,8 @@ Opened opened(BodySpec spec, Source mesh) {
 
 }  // namespace
 
+std::string first_of(const Setup& setup) { return setup.given ? name_of(*setup.given) : ""; }
+
 std::vector<std::string> names_of(const Setup& setup) {
   std::vector<std::string> names = shape_names();
   if (setup.given && std::ranges::find(names, name_of(*setup.given)) == names.end())

@@ -19,6 +19,8 @@ struct Opened {
 
 /// Names that a request may open: that of the command line's body, if there is one, and those of shapes.
 [[nodiscard]] std::vector<std::string> names_of(const Setup& setup);
+/// The one of them that the program was started with; empty: none.
+[[nodiscard]] std::string first_of(const Setup& setup);
 
 /// The mesh of that name, neither checked nor mended. @throws InputError  none of these names
 [[nodiscard]] Opened open_named(const Setup& setup, const std::string& name, const BodySpec& said);

@@ -5,7 +5,7 @@ import {Marks} from './marks.js';
 import {Motion} from './motion.js';
 import {Nest} from './nest.js';
 import {Parts, showHelp} from './parts.js';
-import {busy, showAnswer, showInspection, showNesting, showProof, showTrouble} from './panel.js';
+import {busy, showAnswer, showInspection, showNesting, showProof, showTrouble, showUnmet} from './panel.js';
 import {Scene, colours, geometryOf} from './scene.js';
 import {State} from './state.js';
 
@@ -66,6 +66,7 @@ const link = new Link({
     measure(said);
     startDrawing();
   },
+  unmet(said) { if (said.id === latest) showUnmet(said.text); },
   certificate(said) { if (said.id === latest) showProof(said); },
   into() {
     busy('');
@@ -142,6 +143,7 @@ function measure(said) {
   const began = sent.get(said.id);
   for (const id of sent.keys()) if (id <= said.id) sent.delete(id);
   if (began === undefined) return;
+  window.kreisel.firstAnswer ??= performance.now();
   const written = performance.now() - began.at;
   requestAnimationFrame(() => setTimeout(() => times.push({what: began.what, written, ms: performance.now() - began.at, coarse: said.coarse, moving: said.moving}), 0));
 }

@@ -43,6 +43,9 @@ export function showAnswer(answer, kept) {
   fill(element('numbers'), [['', ...columns.map(([name]) => name)], ...rows.map(([name, text]) => [name, ...columns.map(([, f]) => text(f))])], true);
 }
 
+// Of what no interior does: why.
+export function showUnmet(text) { write(element('verdict').lastChild, text); }
+
 export function showNesting(said) {
   judge(said.valid !== false, said.valid === false ? '✗ nothing nests here' : `✓ up to scale ${said.scale.toFixed(4)}`, said.text ? `beyond it: ${said.text}` : '');
   fill(element('numbers'), Object.entries(said.fields).map(([name, value]) => [name, value.split(/[, ]/).map(v => number(Number(v))).join(', ')]));

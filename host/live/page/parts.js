@@ -55,6 +55,10 @@ export class Parts {
   }
 }
 
+// Options of the command line in a sentence, as they are read here: directions rounded, places left out.
+const inWords = sentence => sentence.replace(/\s*--([a-z-]+) ([^\s;]+)/g, (_, name, value) =>
+  name === 'contact' ? '' : ` ${name} ${value.replace(/,$/, '').split(',').map(v => v === '' || Number.isNaN(Number(v)) ? v : Number(Number(v).toFixed(2))).join(', ')}`).trim();
+
 // Buttons that set what would help. set(fields)
 export function showHelp(place, {title, remedies, poses, also = []}, set) {
   const buttons = [];
@@ -63,7 +67,7 @@ export function showHelp(place, {title, remedies, poses, also = []}, set) {
   // What of a sentence is options of the command line are fields, too.
   for (const piece of poses.split('; ')) {
     const fields = Object.fromEntries([...piece.matchAll(/--([a-z-]+) ([^\s;]+)/g)].map(([, name, value]) => [name, value.replace(/,$/, '')]));
-    if (Object.keys(fields).length) button(piece, fields);
+    if (Object.keys(fields).length) button(inWords(piece), fields);
   }
   place.replaceChildren(make('h2', {textContent: title}), ...buttons);
 }

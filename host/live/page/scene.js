@@ -194,7 +194,7 @@ export class Scene {
   drawNow() {
     if (!this.renderer) return;
     const began = performance.now();
-    const canvas = this.canvas, camera = this.orbit.place(), light = Boolean(this.moving && this.slow), ratio = light ? 0.36 : Math.min(devicePixelRatio, 2);
+    const canvas = this.canvas, camera = this.orbit.place(), light = Boolean(this.moving && this.slow), ratio = light ? this.motion?.playing ? 0.5 : 0.36 : Math.min(devicePixelRatio, 2);
     this.weigh(light);
     const width = Math.max(Math.round(canvas.clientWidth * ratio), 1), height = Math.max(Math.round(canvas.clientHeight * ratio), 1);
     if (canvas.width !== width || canvas.height !== height) {
