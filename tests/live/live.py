@@ -13,8 +13,10 @@ from websocket import Closed, WebSocket
 
 
 class Live:
-    def __init__(self, program, *arguments):
-        self.process = subprocess.Popen([program, "live", "--no-browser", *arguments], stdout=subprocess.PIPE, text=True)
+    def __init__(self, program, *arguments, environment=None):
+        """program: a path, or the words of a command."""
+        command = [program] if isinstance(program, str) else program
+        self.process = subprocess.Popen([*command, "live", "--no-browser", *arguments], stdout=subprocess.PIPE, text=True, env=environment)
         self.url = self.process.stdout.readline().strip()
         parts = urllib.parse.urlparse(self.url)
         self.port, self.path = parts.port, parts.path

@@ -2,6 +2,7 @@
 
 import http.client
 import json
+import os
 import pathlib
 import random
 import re
@@ -17,6 +18,7 @@ from websocket import Closed, WebSocket
 
 program = sys.argv[1]
 root = pathlib.Path(__file__).parents[2]
+package = pathlib.Path(program).resolve().parent / "python"
 rounds = int(sys.argv[2]) if len(sys.argv) > 2 else 60
 spin = {"problem": "spin", "resolution": "40"}
 
@@ -246,6 +248,12 @@ class Many(unittest.TestCase):
                     tab.send("open", model=hello["model"])
                     self.assertEqual(tab.until("opened")[0]["trouble"], "")
                     tab.close()
+
+    @unittest.skipUnless(list(package.glob("kreisel/_core*")), "built without the Python library")
+    def test_python_serves_the_same_page(self):
+        with Live([sys.executable, "-m", "kreisel"], "heart", environment={**os.environ, "PYTHONPATH": str(package)}) as live:
+            self.assertEqual(asked(live, live.path)[0], 200)
+            self.assertEqual(live.stop()[0], 0)
 
     def test_tabs_are_counted_and_memory_returns(self):
         with Live(program, "ellipsoid") as live:
