@@ -41,6 +41,8 @@ class CutShift {
   bool toward(const LinearConstraints& rows, const Moments& whole);
   /// How far all moves took the cut where they took it farthest, body units.
   [[nodiscard]] double most() const;
+  /// To add to the quadric: its zeros are where the cut has gone, to first order.
+  [[nodiscard]] const Moments& change() const { return change_; }
   /// The inside with its cut where it is now.
   [[nodiscard]] Inside shifted() const;
 

@@ -35,6 +35,7 @@ class InsideMeshes {
       weigh(inside);
       const Moments whole = counted();
       const bool plain = met();
+      if (plain) moved_by_ = Moments::Zero();
       const Inside moved = plain ? inside : shifted(inside);
       const bool meets = met(), as_the_mesher_leaves_it = plain && tolerance_ == 0;
       if (meets && (as_the_mesher_leaves_it || is_sound(moved))) return taken(moved);
@@ -42,7 +43,7 @@ class InsideMeshes {
         weigh(inside);
         return taken(inside);
       }
-      if (meets) tolerance_ /= 4;
+      if (meets && !mesh_where_it_was_moved()) tolerance_ /= 4;
       ++run_.result.rounding.corrections;
     }
   }
@@ -113,14 +114,26 @@ class InsideMeshes {
     const int most_steps = options_.finish ? 3 : 12;
     CutShift shift(run_.body(), inside, q(), [&](const Vec3& p) { return mesher_.deep(p); });
     Inside moved;
+    moved_by_ = Moments::Zero();
     for (int step = 0; step < most_steps && !met(); ++step) {
       run_.stop_if_asked();
       if (!shift.toward(run_.problem().constraints(), counted()) || shift.most() > farthest()) break;
       ++run_.result.rounding.corrections;
       moved = shift.shifted();
+      moved_by_ = shift.change();
       weigh(moved);
     }
     return moved;
+  }
+
+  /// What was moved as a mesh may run through itself; meshed where it was moved to, little is left to move.
+  /// Whether that is worth a try: once after each solve, and each tolerance.
+  bool mesh_where_it_was_moved() {
+    const bool first = !anew_ && !moved_by_.isZero(0);
+    if (first)
+      for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += moved_by_[static_cast<Eigen::Index>(i)];
+    anew_ = first;
+    return first;
   }
 
   /// Solves the problem again with the moments of a mesh in place of those of its rays. Whether it can be.
@@ -135,6 +148,7 @@ class InsideMeshes {
     run_.stop_if_asked();
     if (again.termination != Termination::optimal) return false;
     x_ = again.x;
+    anew_ = false;
     return true;
   }
 
@@ -165,11 +179,13 @@ class InsideMeshes {
   double tolerance_;  ///< body units
   double spare_;      ///< what a surface may be moved towards the skin
   CavityMesher mesher_;
-  std::vector<double> x_;             ///< the quadric that cuts
-  MassModel seen_;                    ///< the mesh's moments, or the print's, in place of the rays'
-  Moments now_ = Moments::Zero();     ///< of what was weighed last
-  MadePart finished_;                 ///< that, where parts are finished, which takes long
-  Moments beside_ = Moments::Zero();  ///< what a print had more than its mesh
+  std::vector<double> x_;               ///< the quadric that cuts
+  Moments moved_by_ = Moments::Zero();  ///< what its cut was moved by as a mesh, coefficients of a quadric
+  bool anew_ = false;                   ///< whether that is in x_ already
+  MassModel seen_;                      ///< the mesh's moments, or the print's, in place of the rays'
+  Moments now_ = Moments::Zero();       ///< of what was weighed last
+  MadePart finished_;                   ///< that, where parts are finished, which takes long
+  Moments beside_ = Moments::Zero();    ///< what a print had more than its mesh
 };
 
 }  // namespace
