@@ -134,6 +134,19 @@ TEST_F(Design, PiecesLaidFlatLieOnTheirCutsBesideEachOther) {
   }
 }
 
+TEST_F(Design, NamesItsPegAndSaysWhenACutRunsThroughItsPoint) {
+  // The peg stands at x = 27.05: one cut along it, one through the middle of the body.
+  const std::string warning = "a cut runs through the peg's point";
+  for (const auto& [cut, through] : {std::pair{"1,0,0,28.2", true}, {"0,0,1,18", false}}) {
+    const BenchAnswer a = design(fmt::format("spin ellipsoid -o {} --json {} --stem 2 --cut {} {}",
+                                             file("part.stl"), file("report.json"), cut, coarse));
+    ASSERT_EQ(a.code, 0) << a.out;
+    EXPECT_NE(a.out.find("peg        of 2 mm radius"), std::string::npos) << a.out;
+    EXPECT_EQ(a.out.find(warning) != std::string::npos, through) << cut;
+    EXPECT_EQ(report().at("pieces_mm3").size(), 2u);
+  }
+}
+
 TEST_F(Design, CutOpenIsStillBalanced) {
   const BenchAnswer a = design(fmt::format("spin ellipsoid -o {} --json {} --cut auto --pegs 1.5 {}",
                                            file("part.stl"), file("report.json"), coarse));
