@@ -24,8 +24,6 @@ class Answers {
   /// @throws InputError, Interrupted, MemoryError
   void ask(const nlohmann::json& id, RunConfig question, bool moving, const Worker::Turn& turn);
 
-  [[nodiscard]] const std::shared_ptr<const Source>& solid() const { return solid_; }
-
  private:
   /// What a fine domain takes long to make for: while it stays as it is, it answers.
   struct Costly {

@@ -35,7 +35,7 @@ class InsideMeshes {
       weigh(inside);
       const Moments whole = counted();
       const bool plain = met();
-      if (plain) moved_by_ = Moments::Zero();
+      moved_by_ = Moments::Zero();
       const Inside moved = plain ? inside : shifted(inside);
       const bool meets = met(), as_the_mesher_leaves_it = plain && tolerance_ == 0;
       if (meets && (as_the_mesher_leaves_it || is_sound(moved))) return taken(moved);
@@ -114,7 +114,6 @@ class InsideMeshes {
     const int most_steps = options_.finish ? 3 : 12;
     CutShift shift(run_.body(), inside, q(), [&](const Vec3& p) { return mesher_.deep(p); });
     Inside moved;
-    moved_by_ = Moments::Zero();
     for (int step = 0; step < most_steps && !met(); ++step) {
       run_.stop_if_asked();
       if (!shift.toward(run_.problem().constraints(), counted()) || shift.most() > farthest()) break;
